@@ -1,0 +1,41 @@
+#include "vfh_astar/laser_scan.h"
+
+#include <cmath>
+
+namespace vfh_astar {
+
+std::optional<std::string> DescribeDefect(const LaserScan& scan) {
+  if (scan.ranges.empty()) {
+    return "the scan has no beams; expected at least one range";
+  }
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) ||
+      scan.angle_increment == 0.0) {
+    return "the scan has angle_min " + std::to_string(scan.angle_min) +
+           " and angle_increment " + std::to_string(scan.angle_increment) +
+           "; expected finite angles and an increment other than 0";
+  }
+  if (!std::isfinite(scan.range_min) || !std::isfinite(scan.range_max) ||
+      scan.range_min < 0.0 || scan.range_max <= scan.range_min) {
+    return "the scan has range_min " + std::to_string(scan.range_min) +
+           " and range_max " + std::to_string(scan.range_max) +
+           "; expected 0 <= range_min < range_max";
+  }
+  return std::nullopt;
+}
+
+std::vector<Eigen::Vector2d> HitPoints(const LaserScan& scan,
+                                       const Pose2D& laser_pose,
+                                       double max_range) {
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(scan.ranges.size());
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const float range = scan.ranges[beam];
+    if (!scan.IsHit(range) || range > max_range) continue;
+    const double angle = laser_pose.theta + scan.Angle(beam);
+    points.emplace_back(laser_pose.x + range * std::cos(angle),
+                        laser_pose.y + range * std::sin(angle));
+  }
+  return points;
+}
+
+}  // namespace vfh_astar
