@@ -1,0 +1,195 @@
+"""Drives the simulated Jackal to a goal, tells how it went and draws it."""
+
+import argparse
+import json
+import os
+import signal
+import sys
+import time
+
+from driver import poses, world_file
+from driver.launched_stack import LaunchedStack, LaunchError
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
+    os.path.abspath(__file__))))
+_DEFAULT_WORLD = os.path.join(ROOT, "worlds", "hairpin.yaml")
+_OUTPUT = os.path.join(ROOT, ".workspace", "demo")
+
+
+def parse_arguments(arguments):
+    parser = argparse.ArgumentParser(prog="demo", description=__doc__)
+    parser.add_argument("--headless", action="store_true",
+                        help="no RViz, and as fast as the machine can")
+    parser.add_argument(
+        "--world", default=_DEFAULT_WORLD, metavar="FILE",
+        help="world of this package, Gazebo .world, DynaBARN or map_server "
+        "file (the hairpin)")
+    parser.add_argument("--start", type=poses.pose_argument,
+                        metavar="X,Y,YAW", help="m, m, rad (the world's own)")
+    parser.add_argument("--goal", type=poses.goal_argument,
+                        metavar="X,Y[,YAW]", help="m, m, rad (the world's own)")
+    parser.add_argument("--map", metavar="FILE", help="a map_server map known "
+                        "beforehand (none: the robot builds it as it drives)")
+    parser.add_argument("--config", metavar="FILE",
+                        default=os.path.join(ROOT, "config", "jackal.yaml"),
+                        help="the navigation's parameters (config/jackal.yaml)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--time-limit", type=float, default=300.0, metavar="S",
+                        help="simulated seconds (300)")
+    parser.add_argument("--picture", metavar="PNG",
+                        help="(.workspace/demo/<world>.png)")
+    parser.add_argument("--json", metavar="FILE",
+                        help="write the figures to a file too")
+    options = parser.parse_args(arguments)
+    try:
+        _complete(options)
+    except world_file.WorldFileError as error:
+        parser.error(str(error))
+    return options
+
+
+def _complete(options):
+    """Files with their whole names, and what the world says where the command
+    line does not."""
+    for name in ("world", "map", "config"):
+        file = getattr(options, name)
+        if file is None:
+            continue
+        file = os.path.abspath(file)
+        if not os.path.isfile(file):
+            raise world_file.WorldFileError(
+                "--{} {}: no such file".format(name, file))
+        setattr(options, name, file)
+    facts = world_file.read(options.world)
+    options.start = options.start or facts.start
+    if options.start is None:
+        raise world_file.WorldFileError(
+            "{} names no start; give --start X,Y,YAW".format(options.world))
+    goal = options.goal or facts.goal
+    if goal is None:
+        raise world_file.WorldFileError(
+            "{} names no goal; give --goal X,Y,YAW".format(options.world))
+    options.goal = poses.with_yaw(goal, options.start)
+    if options.picture is None:
+        name = os.path.splitext(os.path.basename(options.world))[0]
+        options.picture = os.path.join(_OUTPUT, name + ".png")
+
+
+def launch_arguments(options):
+    x, y, yaw = options.start
+    return {
+        "world": options.world, "x": x, "y": y, "yaw": yaw,
+        # The map has the world's coordinates when the robot knows where in the
+        # world it starts.
+        "initial_pose_x": x, "initial_pose_y": y, "initial_pose_a": yaw,
+        "seed": options.seed, "config": options.config,
+        "map_file": options.map, "rviz": str(not options.headless).lower(),
+        "lockstep": str(options.headless).lower(),
+        "real_time_factor": 0 if options.headless else 1,
+    }
+
+
+class ProgressPrinter:
+    """One line every second of simulated time, and at every new state."""
+
+    def __init__(self, observer):
+        self._observer = observer
+        self._next = 0.0
+        self._state = None
+
+    def __call__(self, elapsed):
+        state = self._observer.last_state
+        if state is None:
+            return
+        if elapsed < self._next and state.state == self._state:
+            return
+        self._next = max(self._next, elapsed) + (elapsed >= self._next)
+        self._state = state.state
+        print("{:7.1f} s  {:<10} {:6.2f} m to go  {:5.2f} m/s  "
+              "clearance {:.2f} m".format(
+                  elapsed, state.state, state.distance_to_goal, state.speed,
+                  state.clearance), flush=True)
+
+
+def print_outcome(record, picture):
+    figures = record.figures()
+    print()
+    print("{}: {}".format("Goal reached" if record.succeeded
+                          else "Goal not reached", record.message))
+    print("time {:.1f} s (simulated), path {:.2f} m, least clearance {}, "
+          "{}".format(
+              figures["time_s"], figures["path_m"],
+              "unknown" if figures["min_clearance_m"] is None
+              else "{:.2f} m".format(figures["min_clearance_m"]),
+              "contact with " + ", ".join(record.contacts)
+              if record.contacts else "no contact"))
+    print("picture: {}".format(picture))
+
+
+def run(options):
+    """Returns whether the goal was reached without contact."""
+    os.makedirs(_OUTPUT, exist_ok=True)
+    os.makedirs(os.path.dirname(os.path.abspath(options.picture)),
+                exist_ok=True)
+    launch_file = os.path.join(ROOT, "launch", "demo.launch")
+    log = os.path.join(_OUTPUT, "roslaunch.log")
+    with LaunchedStack(launch_file, launch_arguments(options), log) as stack:
+        os.environ["ROS_MASTER_URI"] = stack.master_uri
+        # They read the environment of the master when they are loaded.
+        from driver import goal_drive, picture
+        from driver.observer import Observer
+        print("World {}, from {} to {}".format(
+            options.world, _text(options.start), _text(options.goal)))
+        print("ROS master {}, log {}".format(stack.master_uri, log), flush=True)
+        goal_drive.connect(stack, "demo")
+        observer = Observer()
+        record = goal_drive.drive(stack, observer, options.start, options.goal,
+                                  options.time_limit, ProgressPrinter(observer))
+        picture.draw(record, options.picture,
+                     os.path.basename(options.world))
+        print_outcome(record, options.picture)
+        if options.json:
+            with open(options.json, "w") as file:
+                json.dump(record.figures(), file, indent=2)
+        if not options.headless:
+            follow_clicks(stack, observer)
+    return record.reached_without_contact()
+
+
+def _text(pose):
+    return "({:g}, {:g}, {:.3g})".format(*pose)
+
+
+def follow_clicks(stack, observer):
+    """Tells what the robot does with clicked goals until the launch ends."""
+    print("\nClick goals with '2D Nav Goal' in RViz; Ctrl-C ends.", flush=True)
+    shown = None
+    while True:
+        try:
+            stack.check_alive()
+        except LaunchError:
+            return
+        state = observer.last_state
+        if state is not None and (state.state, state.reason) != shown:
+            shown = (state.state, state.reason)
+            print("{:<10} {}".format(*shown), flush=True)
+        time.sleep(0.1)
+
+
+def _end_on_signal(number, _):
+    raise SystemExit(128 + number)
+
+
+def main():
+    options = parse_arguments(sys.argv[1:])
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, _end_on_signal)
+    try:
+        return 0 if run(options) else 1
+    except LaunchError as error:
+        print("demo: {}".format(error), file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

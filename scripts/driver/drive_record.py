@@ -1,0 +1,108 @@
+"""What was seen of one drive, and the figures that follow from it. No ROS."""
+
+import math
+from dataclasses import dataclass, field
+from typing import List, Optional, Tuple
+
+import numpy as np
+
+
+@dataclass
+class GridMap:
+    """An occupancy map: cells[row, column] from 0 to 100, -1 unknown; (0, 0) at
+    the origin's corner."""
+
+    resolution: float  # m
+    origin: Tuple[float, float]  # m
+    cells: np.ndarray
+
+    def extent(self):
+        """left, right, bottom, top in m."""
+        rows, columns = self.cells.shape
+        left, bottom = self.origin
+        return (left, left + columns * self.resolution,
+                bottom, bottom + rows * self.resolution)
+
+
+@dataclass
+class PoseSample:
+    time: float  # s, simulated
+    x: float  # m, ground truth in the world's frame
+    y: float
+    yaw: float  # rad
+
+
+@dataclass
+class StateSample:
+    time: float  # s, simulated
+    state: str
+    reason: str
+    error: Tuple[float, float, float]  # m, m, rad
+    clearance: float  # m, to the nearest hit of the scan
+    speed: float  # m/s
+    distance_to_goal: float  # m
+
+
+@dataclass
+class DriveRecord:
+    start: Tuple[float, float, float]
+    goal: Tuple[float, float, float]
+    poses: List[PoseSample] = field(default_factory=list)
+    states: List[StateSample] = field(default_factory=list)
+    plans: List[np.ndarray] = field(default_factory=list)  # N x 2, m
+    trajectories: List[np.ndarray] = field(default_factory=list)
+    map: Optional[GridMap] = None
+    least_clearance: float = math.inf  # m, ground truth
+    contacts: List[str] = field(default_factory=list)  # what was touched
+    succeeded: bool = False
+    message: str = ""
+    began: Optional[float] = None  # s, simulated: the goal was sent
+    ended: Optional[float] = None  # s, simulated: the result came
+    cpu_seconds: Optional[float] = None  # of the navigation's processes
+
+    def duration(self):
+        """Simulated seconds from sending the goal to its result."""
+        if self.began is None or self.ended is None:
+            return 0.0
+        return self.ended - self.began
+
+    def path_length(self):
+        """Metres driven, by ground truth."""
+        return sum(math.hypot(b.x - a.x, b.y - a.y)
+                   for a, b in zip(self.poses, self.poses[1:]))
+
+    def distance_left(self):
+        """Metres from the last true position to the goal."""
+        if not self.poses:
+            return math.inf
+        last = self.poses[-1]
+        return math.hypot(self.goal[0] - last.x, self.goal[1] - last.y)
+
+    def tracking_errors(self):
+        """Root mean square and greatest distance from the reference, m, over
+        the samples in TRACKING; nothing without one."""
+        distances = [math.hypot(s.error[0], s.error[1])
+                     for s in self.states if s.state == "TRACKING"]
+        if not distances:
+            return None
+        return (math.sqrt(sum(d * d for d in distances) / len(distances)),
+                max(distances))
+
+    def reached_without_contact(self):
+        return self.succeeded and not self.contacts
+
+    def figures(self):
+        """For a table or a JSON file; None where nothing was measured."""
+        errors = self.tracking_errors()
+        return {
+            "outcome": "success" if self.succeeded else "failure",
+            "message": self.message,
+            "contact": bool(self.contacts),
+            "time_s": self.duration(),
+            "path_m": self.path_length(),
+            "min_clearance_m": (None if math.isinf(self.least_clearance)
+                                else self.least_clearance),
+            "rms_error_m": errors[0] if errors else None,
+            "max_error_m": errors[1] if errors else None,
+            "cpu_s": self.cpu_seconds,
+        }

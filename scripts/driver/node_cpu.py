@@ -1,0 +1,33 @@
+"""CPU time of ROS nodes."""
+
+import os
+from xmlrpc.client import ServerProxy
+
+import rosgraph
+
+_CALLER = "/node_cpu"
+
+
+def process_of_node(name):
+    """The process id of a running node on this machine.
+
+    Raises rosgraph.MasterError for a node that the master does not know.
+    """
+    uri = rosgraph.Master(_CALLER).lookupNode(name)
+    _, message, pid = ServerProxy(uri).getPid(_CALLER)
+    if pid <= 0:
+        raise OSError("node {} has no process id: {}".format(name, message))
+    return pid
+
+
+def cpu_seconds(pid):
+    """User and system time that the process has had, all threads."""
+    with open("/proc/{}/stat".format(pid)) as stat:
+        # The command's name stands in brackets and may hold blanks.
+        fields = stat.read().rsplit(")", 1)[1].split()
+    user_ticks, system_ticks = int(fields[11]), int(fields[12])
+    return (user_ticks + system_ticks) / os.sysconf("SC_CLK_TCK")
+
+
+def cpu_seconds_of_nodes(names):
+    return sum(cpu_seconds(process_of_node(name)) for name in names)

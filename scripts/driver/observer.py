@@ -1,0 +1,114 @@
+"""Listens to a running stack and keeps what it sees in a DriveRecord."""
+
+import math
+import threading
+
+import numpy as np
+import rospy
+from map_msgs.msg import OccupancyGridUpdate
+from nav_msgs.msg import OccupancyGrid, Odometry, Path
+
+from driver.drive_record import GridMap, PoseSample, StateSample
+
+
+def yaw_of(orientation):
+    """rad, of a geometry_msgs/Quaternion that turns about z."""
+    return 2.0 * math.atan2(orientation.z, orientation.w)
+
+
+def _points(path):
+    return np.array([(p.pose.position.x, p.pose.position.y)
+                     for p in path.poses]).reshape(-1, 2)
+
+
+class Observer:
+    """Fills the record that is set; only the map and the newest pose are kept
+    without one. All topics are relative, as the stack's are."""
+
+    def __init__(self, plan_topic="plan"):
+        self._lock = threading.Lock()
+        self._record = None
+        self._map = None
+        self.last_pose = None
+        self.last_state = None
+        rospy.Subscriber("map", OccupancyGrid, self._on_map, queue_size=5)
+        rospy.Subscriber("map_updates", OccupancyGridUpdate,
+                         self._on_map_update, queue_size=100)
+        rospy.Subscriber("ground_truth/odom", Odometry, self._on_ground_truth,
+                         queue_size=100)
+        rospy.Subscriber(plan_topic, Path, self._on_plan, queue_size=20)
+        rospy.Subscriber("trajectory_path", Path, self._on_trajectory,
+                         queue_size=20)
+        self._subscribe_own_messages()
+
+    def _subscribe_own_messages(self):
+        # Generated in the workspace, which has to be sourced before.
+        from vfh_astar.msg import NavigationState
+        rospy.Subscriber("navigation_state", NavigationState, self._on_state,
+                         queue_size=200)
+
+    def begin(self, record):
+        with self._lock:
+            self._record = record
+
+    def finish(self):
+        """The record takes nothing more; the map is its last entry."""
+        with self._lock:
+            if self._record is not None:
+                self._record.map = self._map
+            self._record = None
+
+    def _on_map(self, message):
+        info = message.info
+        cells = np.array(message.data, dtype=np.int8)
+        with self._lock:
+            self._map = GridMap(
+                info.resolution,
+                (info.origin.position.x, info.origin.position.y),
+                cells.reshape(info.height, info.width))
+
+    def _on_map_update(self, update):
+        values = np.array(update.data, dtype=np.int8)
+        with self._lock:
+            if self._map is None:
+                return
+            window = self._map.cells[update.y:update.y + update.height,
+                                     update.x:update.x + update.width]
+            # A window of the geometry before a resize does not fit any more.
+            if window.shape == (update.height, update.width):
+                window[:] = values.reshape(window.shape)
+
+    def has_map(self):
+        with self._lock:
+            return self._map is not None
+
+    def _on_ground_truth(self, odometry):
+        pose = odometry.pose.pose
+        sample = PoseSample(odometry.header.stamp.to_sec(), pose.position.x,
+                            pose.position.y, yaw_of(pose.orientation))
+        with self._lock:
+            self.last_pose = sample
+            if self._record is not None:
+                self._record.poses.append(sample)
+
+    def _on_state(self, message):
+        sample = StateSample(
+            message.header.stamp.to_sec(), message.state, message.reason,
+            (message.error_x, message.error_y, message.error_theta),
+            message.clearance, message.speed, message.distance_to_goal)
+        with self._lock:
+            self.last_state = sample
+            if self._record is not None:
+                self._record.states.append(sample)
+
+    def _on_plan(self, path):
+        if path.poses:
+            with self._lock:
+                if self._record is not None:
+                    self._record.plans.append(_points(path))
+
+    def _on_trajectory(self, path):
+        if path.poses:
+            with self._lock:
+                if self._record is not None:
+                    self._record.trajectories.append(_points(path))

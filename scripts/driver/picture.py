@@ -1,0 +1,95 @@
+"""Draws a drive: the map, what was planned and what was driven."""
+
+import math
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+_MARGIN = 1.5  # m around everything that was driven or planned
+# m, the Jackal with its wheels about base_link: (front, rear, half width).
+_FOOTPRINT = (0.229, 0.229, 0.208)
+
+
+def _shades(cells):
+    """Unknown light grey, free white, occupied black."""
+    shades = 1.0 - np.clip(cells, 0, 100) / 100.0
+    shades[cells < 0] = 0.82
+    return shades
+
+
+def _footprint_outline(x, y, yaw):
+    front, rear, half = _FOOTPRINT
+    corners = np.array([(front, half), (-rear, half), (-rear, -half),
+                        (front, -half), (front, half)])
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    return corners @ np.array([(cosine, sine), (-sine, cosine)]) + (x, y)
+
+
+def _draw_lines(axes, lines, color, label, width):
+    """The last of the lines strong, those it replaced faint."""
+    for line in lines[:-1]:
+        axes.plot(line[:, 0], line[:, 1], color=color, alpha=0.25, linewidth=0.7)
+    if lines:
+        last = lines[-1]
+        axes.plot(last[:, 0], last[:, 1], color=color, linewidth=width,
+                  label=label)
+
+
+def _frame(axes, record):
+    """Shows what was driven and planned, not the whole of a large map."""
+    points = [np.array([record.start[:2], record.goal[:2]])]
+    points += record.plans + record.trajectories
+    if record.poses:
+        points.append(np.array([(p.x, p.y) for p in record.poses]))
+    points = np.concatenate(points)
+    low, high = points.min(axis=0) - _MARGIN, points.max(axis=0) + _MARGIN
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
+    return (high - low)
+
+
+def draw_driven(axes, record, color, label):
+    driven = np.array([(p.x, p.y) for p in record.poses])
+    if driven.size:
+        axes.plot(driven[:, 0], driven[:, 1], color=color, linewidth=1.8,
+                  label=label)
+
+
+def draw_map(axes, record):
+    if record.map is not None:
+        axes.imshow(_shades(record.map.cells), origin="lower", cmap="gray",
+                    vmin=0.0, vmax=1.0, extent=record.map.extent(),
+                    interpolation="nearest")
+    axes.plot(*record.start[:2], "o", color="tab:blue", markersize=7,
+              label="start")
+    axes.plot(*record.goal[:2], "*", color="tab:orange", markersize=13,
+              label="goal")
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+
+
+def draw(record, file, title):
+    """Writes a PNG."""
+    figure, axes = plt.subplots(figsize=(9, 9))
+    draw_map(axes, record)
+    _draw_lines(axes, record.plans, "tab:blue", "plan", 1.2)
+    _draw_lines(axes, record.trajectories, "tab:green", "trajectory", 1.6)
+    draw_driven(axes, record, "tab:red", "driven (ground truth)")
+    next_outline = -math.inf
+    for pose in record.poses:
+        if pose.time >= next_outline:
+            outline = _footprint_outline(pose.x, pose.y, pose.yaw)
+            axes.plot(outline[:, 0], outline[:, 1], color="tab:red",
+                      linewidth=0.5, alpha=0.6)
+            next_outline = pose.time + 1.0
+    size = _frame(axes, record)
+    figure.set_size_inches(9, min(14.0, max(4.0, 9.0 * size[1] / size[0])))
+    axes.set_title(title)
+    axes.legend(loc="best", fontsize=8)
+    figure.savefig(file, dpi=120, bbox_inches="tight")
+    plt.close(figure)
