@@ -1,7 +1,9 @@
 #ifndef VFH_ASTAR_GRID_CLEARANCE_H_
 #define VFH_ASTAR_GRID_CLEARANCE_H_
 
+#include <cstdint>
 #include <opencv2/core/types.hpp>
+#include <vector>
 
 #include "vfh_astar/footprint.h"
 #include "vfh_astar/geometry.h"
@@ -31,9 +33,10 @@ class ClearanceMap {
   /// cell for cell.
   /// @param[in] window within the bounds of the map last set.
   /// @param[in] values percent or kUnknown, row by row, window.area() of them.
-  /// @return the window in which clearance was recomputed.
-  cv::Rect Update(const cv::Rect& window,
-                  const std::vector<std::int8_t>& values);
+  /// @return the windows in which clearance was recomputed, without overlap;
+  ///   none when no cell became occupied or ceased to be.
+  std::vector<cv::Rect> Update(const cv::Rect& window,
+                               const std::vector<std::int8_t>& values);
 
   const GridGeometry& geometry() const { return map_.geometry(); }
   const OccupancyGrid& map() const { return map_; }
@@ -60,6 +63,10 @@ class ClearanceMap {
 
  private:
   void Recompute(const cv::Rect& window);
+  bool IsRowFree(int y, int first, int last) const;
+
+  /// Cells that an obstacle reaches: max_distance, rounded up.
+  int Reach() const;
 
   int occupied_threshold_;
   double max_distance_;

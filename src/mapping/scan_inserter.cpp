@@ -1,0 +1,220 @@
+#include "vfh_astar/mapping/scan_inserter.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "vfh_astar/grid/ray_traversal.h"
+
+namespace vfh_astar {
+namespace {
+
+constexpr int kTile = LogOddsGrid::kTileSize;
+static_assert(kTile == 64, "a row of a tile is one word of bits");
+
+constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
+
+/// The bits from `first` to `last`, both included.
+std::uint64_t BitsBetween(int first, int last) {
+  return (kAllBits << first) & (kAllBits >> (63 - last));
+}
+
+cv::Rect Hull(const cv::Rect& a, const cv::Rect& b) {
+  return a.empty() ? b : b.empty() ? a : a | b;
+}
+
+/// The cells that a box of the grid's frame touches.
+cv::Rect CellsOf(const Eigen::AlignedBox2d& box, const GridGeometry& geometry) {
+  // Far outside of every grid, and still a whole number.
+  constexpr double kFar = 1 << 28;
+  const auto cells = [&](const Eigen::Vector2d& point) {
+    const Eigen::Vector2d at = ToCellUnits(geometry, point);
+    return cv::Point(
+        static_cast<int>(std::floor(std::clamp(at.x(), -kFar, kFar))),
+        static_cast<int>(std::floor(std::clamp(at.y(), -kFar, kFar))));
+  };
+  return {cells(box.min()), cells(box.max()) + cv::Point(1, 1)};
+}
+
+/// A byte of ones for every bit that is set.
+void ExpandBits(std::uint64_t bits, std::uint8_t* bytes) {
+  for (int i = 0; i < 64; i += 8) {
+    // Copies eight bits to eight bytes, keeps one bit in each and spreads it.
+    std::uint64_t spread = ((bits >> i) & 0xff) * 0x0101010101010101u;
+    spread &= 0x8040201008040201u;
+    spread += 0x00406070787c7e7fu;
+    spread = (spread >> 7) & 0x0101010101010101u;
+    spread *= 0xff;
+    for (int k = 0; k < 8; ++k) {
+      bytes[i + k] = static_cast<std::uint8_t>(spread >> (8 * k));
+    }
+  }
+}
+
+}  // namespace
+
+void ScanInserterParameters::Read(ParameterReader& reader) {
+  reader.Number("max_urange", max_urange, 0.1, 200.0);
+  reader.Number("max_range", max_range, 0.1, 1000.0);
+  reader.Number("hit_probability", hit_probability, 0.51, 0.99);
+  reader.Number("miss_probability", miss_probability, 0.01, 0.49);
+  reader.Number("min_probability", min_probability, 0.002, 0.49);
+  reader.Number("max_probability", max_probability, 0.51, 0.998);
+}
+
+ScanInserter::ScanInserter(const ScanInserterParameters& parameters)
+    : parameters_(parameters),
+      hit_steps_(ToLogOdds(parameters.hit_probability) - kEvenOdds),
+      miss_steps_(kEvenOdds - ToLogOdds(parameters.miss_probability)),
+      lowest_(ToLogOdds(parameters.min_probability)),
+      highest_(ToLogOdds(parameters.max_probability)) {}
+
+cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
+                              LogOddsGrid& grid) {
+  assert(laser_pose.IsFinite());
+  TraceBeams(scan, laser_pose);
+  if (beams_.empty()) return {};
+
+  Eigen::AlignedBox2d reach(laser_pose.position());
+  for (const Beam& beam : beams_) reach.extend(beam.end);
+  grid.GrowToHold(CellsOf(reach, grid.geometry()));
+  observed_ = CellsOf(reach, grid.geometry()) & grid.geometry().Bounds();
+  if (observed_.empty()) return {};
+  tiles_.x = observed_.x / kTile;
+  tiles_.y = observed_.y / kTile;
+  tiles_.width = (observed_.br().x - 1) / kTile + 1 - tiles_.x;
+  tiles_.height = (observed_.br().y - 1) / kTile + 1 - tiles_.y;
+
+  for (Beam& beam : beams_) beam.end = ToCellUnits(grid.geometry(), beam.end);
+  MarkBeams(ToCellUnits(grid.geometry(), laser_pose.position()));
+
+  cv::Rect changed;
+  for (int row = tiles_.y; row < tiles_.br().y; ++row) {
+    for (int column = tiles_.x; column < tiles_.br().x; ++column) {
+      changed = Hull(changed, ApplyTile(column, row, grid));
+    }
+  }
+  return changed;
+}
+
+void ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
+  beams_.clear();
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const float range = scan.ranges[i];
+    double length = 0.0;
+    bool is_hit = false;
+    if (scan.IsFree(range)) {
+      length = std::min(parameters_.max_urange, scan.range_max);
+    } else if (scan.IsHit(range) && range <= parameters_.max_range) {
+      is_hit = range <= parameters_.max_urange;
+      length = is_hit ? range : parameters_.max_urange;
+    } else {
+      continue;
+    }
+    const double angle = laser_pose.theta + scan.Angle(i);
+    beams_.push_back(
+        {laser_pose.position() +
+             length * Eigen::Vector2d(std::cos(angle), std::sin(angle)),
+         is_hit});
+  }
+}
+
+void ScanInserter::MarkBeams(const Eigen::Vector2d& laser) {
+  const int stride = tiles_.width;
+  const std::size_t words =
+      static_cast<std::size_t>(tiles_.height) * kTile * stride;
+  passed_.assign(words, 0);
+  ended_.assign(words, 0);
+  const int x_offset = tiles_.x * kTile;
+  const int y_offset = tiles_.y * kTile;
+  for (const Beam& beam : beams_) {
+    TraverseRows(laser, beam.end, [&](int y, int first, int last) {
+      if (y < observed_.y || y >= observed_.br().y) return true;
+      const int low = std::max(std::min(first, last), observed_.x) - x_offset;
+      const int high =
+          std::min(std::max(first, last), observed_.br().x - 1) - x_offset;
+      if (low > high) return true;
+      std::uint64_t* const row =
+          passed_.data() + static_cast<std::size_t>(y - y_offset) * stride;
+      const int last_word = high / 64;
+      int word = low / 64;
+      int bit = low % 64;
+      for (; word < last_word; ++word, bit = 0) row[word] |= kAllBits << bit;
+      row[word] |= BitsBetween(bit, high % 64);
+      return true;
+    });
+    const cv::Point end(static_cast<int>(std::floor(beam.end.x())),
+                        static_cast<int>(std::floor(beam.end.y())));
+    if (beam.is_hit && observed_.contains(end)) {
+      ended_[static_cast<std::size_t>(end.y - y_offset) * stride +
+             (end.x - x_offset) / 64] |= std::uint64_t{1}
+                                         << ((end.x - x_offset) % 64);
+    }
+  }
+}
+
+cv::Rect ScanInserter::ApplyTile(int column, int row, LogOddsGrid& grid) const {
+  const int stride = tiles_.width;
+  const std::size_t first_word =
+      static_cast<std::size_t>(row - tiles_.y) * kTile * stride +
+      (column - tiles_.x);
+  LogOdds* tile = nullptr;
+  std::array<std::uint8_t, kTile> changed_columns{};
+  int first_changed = kTile;
+  int last_changed = -1;
+  for (int y = 0; y < kTile; ++y) {
+    const std::size_t word = first_word + static_cast<std::size_t>(y) * stride;
+    const std::uint64_t hits = ended_[word];
+    const std::uint64_t misses = passed_[word] & ~hits;
+    if ((hits | misses) == 0) continue;
+    if (!tile) tile = grid.MutableTile(column, row).data();
+    if (!UpdateRow(misses, hits, tile + y * kTile, changed_columns)) continue;
+    first_changed = std::min(first_changed, y);
+    last_changed = y;
+  }
+  if (last_changed < 0) return {};
+  const auto is_changed = [](std::uint8_t bits) { return bits != 0; };
+  const auto left =
+      std::find_if(changed_columns.begin(), changed_columns.end(), is_changed) -
+      changed_columns.begin();
+  const auto right =
+      changed_columns.rend() - std::find_if(changed_columns.rbegin(),
+                                            changed_columns.rend(), is_changed);
+  return {column * kTile + static_cast<int>(left), row * kTile + first_changed,
+          static_cast<int>(right - left), last_changed + 1 - first_changed};
+}
+
+bool ScanInserter::UpdateRow(
+    std::uint64_t misses, std::uint64_t hits, LogOdds* cells,
+    std::array<std::uint8_t, kTile>& changed_columns) const {
+  std::array<LogOdds, kTile> old;
+  std::copy(cells, cells + kTile, old.begin());
+  std::array<std::uint8_t, kTile> mask;
+  ExpandBits(misses, mask.data());
+  const LogOdds miss = miss_steps_;
+  const LogOdds highest = highest_;
+  const LogOdds floor = lowest_ + miss_steps_;
+  for (int x = 0; x < kTile; ++x) {
+    const LogOdds known = old[x] == kUnexplored ? kEvenOdds : old[x];
+    // Values beyond the limits come from a given map.
+    const LogOdds held = std::min(known, highest);
+    const LogOdds missed = std::max(held, floor) - miss;
+    cells[x] = (missed & mask[x]) | (old[x] & ~mask[x]);
+  }
+  for (std::uint64_t left = hits; left != 0; left &= left - 1) {
+    const int x = __builtin_ctzll(left);
+    const int known = old[x] == kUnexplored ? kEvenOdds : old[x];
+    cells[x] = static_cast<LogOdds>(
+        std::min<int>(std::max<int>(known, lowest_) + hit_steps_, highest_));
+  }
+  std::uint8_t any = 0;
+  for (int x = 0; x < kTile; ++x) {
+    const std::uint8_t difference = old[x] ^ cells[x];
+    changed_columns[x] |= difference;
+    any |= difference;
+  }
+  return any != 0;
+}
+
+}  // namespace vfh_astar

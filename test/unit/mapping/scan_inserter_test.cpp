@@ -1,0 +1,239 @@
+#include "vfh_astar/mapping/scan_inserter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "vfh_astar/grid/ray_traversal.h"
+
+namespace vfh_astar {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+GridGeometry Geometry() {
+  GridGeometry geometry;
+  geometry.resolution = 0.1;
+  geometry.origin = Eigen::Vector2d(-5.0, -5.0);
+  geometry.width = 100;
+  geometry.height = 100;
+  return geometry;
+}
+
+/// One beam along x.
+LaserScan Beam(float range) {
+  LaserScan scan;
+  scan.angle_increment = 0.01;
+  scan.range_min = 0.1;
+  scan.range_max = 30.0;
+  scan.ranges = {range};
+  return scan;
+}
+
+// In the middle of cell (50, 50).
+const Pose2D kOrigin(0.05, 0.05, 0.0);
+
+ScanInserterParameters ShortSighted() {
+  ScanInserterParameters parameters;
+  parameters.max_urange = 2.0;
+  parameters.max_range = 4.0;
+  return parameters;
+}
+
+TEST(ScanInserter, HitEndsABeamThatClearsItsPath) {
+  LogOddsGrid grid(Geometry());
+  ScanInserter inserter({});
+  const cv::Rect changed = inserter.Insert(Beam(1.0f), kOrigin, grid);
+  EXPECT_EQ(changed, cv::Rect(50, 50, 11, 1));
+  for (int x = 50; x < 60; ++x) {
+    EXPECT_NEAR(grid.Probability({x, 50}), 0.4, 0.01);
+  }
+  EXPECT_NEAR(grid.Probability({60, 50}), 0.8, 0.01);
+  EXPECT_EQ(grid.Probability({61, 50}), -1.0);
+  EXPECT_EQ(grid.Probability({49, 50}), -1.0);
+  EXPECT_EQ(grid.Probability({55, 51}), -1.0);
+}
+
+TEST(ScanInserter, TellsMaxUrangeFromMaxRange) {
+  const auto insert = [](float range) {
+    LogOddsGrid grid(Geometry());
+    ScanInserter(ShortSighted()).Insert(Beam(range), kOrigin, grid);
+    return grid;
+  };
+  // Beyond max_urange: free so far, and no hit.
+  for (const float range : {3.0f, kInf}) {
+    const LogOddsGrid grid = insert(range);
+    EXPECT_LT(grid.Probability({70, 50}), 0.5);
+    EXPECT_GT(grid.Probability({70, 50}), 0.0);
+    EXPECT_EQ(grid.Probability({71, 50}), -1.0);
+    EXPECT_EQ(grid.Probability({80, 50}), -1.0);
+  }
+  // No measurements.
+  for (const float range : {5.0f, 0.05f, kNan, -kInf, -1.0f}) {
+    EXPECT_EQ(insert(range).FindTile(0, 0), nullptr) << range;
+  }
+}
+
+TEST(ScanInserter, FreeBeamEndsAtTheSensorsOwnRange) {
+  LaserScan scan = Beam(kInf);
+  scan.range_max = 1.0;
+  LogOddsGrid grid(Geometry());
+  ScanInserter({}).Insert(scan, kOrigin, grid);
+  EXPECT_GT(grid.Probability({60, 50}), 0.0);
+  EXPECT_EQ(grid.Probability({61, 50}), -1.0);
+}
+
+TEST(ScanInserter, HitsWinOverMissesOfTheSameScan) {
+  LaserScan scan = Beam(1.0f);
+  scan.angle_increment = 1e-4;
+  scan.ranges = {2.0f, 1.0f, 2.0f};
+  LogOddsGrid grid(Geometry());
+  ScanInserter({}).Insert(scan, kOrigin, grid);
+  EXPECT_NEAR(grid.Probability({60, 50}), 0.8, 0.01);
+  // Passed through by two beams, changed once.
+  EXPECT_NEAR(grid.Probability({65, 50}), 0.4, 0.01);
+}
+
+TEST(ScanInserter, ClampsAndTurnsRoundWithinAFewScans) {
+  LogOddsGrid grid(Geometry());
+  ScanInserter inserter({});
+  for (int i = 0; i < 100; ++i) inserter.Insert(Beam(1.0f), kOrigin, grid);
+  EXPECT_NEAR(grid.Probability({60, 50}), 0.88, 0.01);
+  EXPECT_NEAR(grid.Probability({55, 50}), 0.12, 0.01);
+  EXPECT_TRUE(inserter.Insert(Beam(1.0f), kOrigin, grid).empty());
+  // What has come shows with the second scan,
+  inserter.Insert(Beam(0.5f), kOrigin, grid);
+  inserter.Insert(Beam(0.5f), kOrigin, grid);
+  EXPECT_GE(grid.Probability({55, 50}), 0.65);
+  // and what has gone is cleared within five.
+  for (int i = 0; i < 5; ++i) inserter.Insert(Beam(2.0f), kOrigin, grid);
+  EXPECT_LE(grid.Probability({60, 50}), 0.5);
+}
+
+TEST(ScanInserter, SurerValuesOfAGivenMapYieldJustAsFast) {
+  LogOddsGrid grid(Geometry());
+  grid.Set({55, 50}, FromOccupancy(100));
+  grid.Set({60, 50}, FromOccupancy(0));
+  ScanInserter inserter({});
+  inserter.Insert(Beam(1.0f), kOrigin, grid);
+  inserter.Insert(Beam(1.0f), kOrigin, grid);
+  EXPECT_GE(grid.Probability({60, 50}), 0.65);
+  for (int i = 0; i < 3; ++i) inserter.Insert(Beam(1.0f), kOrigin, grid);
+  EXPECT_LE(grid.Probability({55, 50}), 0.5);
+}
+
+TEST(ScanInserter, GrowsTheGrid) {
+  LogOddsGrid grid(Geometry());
+  ScanInserter inserter({});
+  inserter.Insert(Beam(1.0f), kOrigin, grid);
+  const cv::Rect changed =
+      inserter.Insert(Beam(10.0f), {0.05, 0.05, kPi}, grid);
+  // 256 columns were added to the left.
+  EXPECT_EQ(grid.geometry().width, 100 + 256);
+  EXPECT_EQ(changed, cv::Rect(50 + 256 - 100, 50, 101, 1));
+  EXPECT_NEAR(grid.Probability({60 + 256, 50}), 0.8, 0.01);
+  EXPECT_NEAR(grid.Probability({50 + 256 - 100, 50}), 0.8, 0.01);
+}
+
+TEST(ScanInserter, LeavesOutWhatTheLargestGridCannotHold) {
+  LogOddsGrid grid(Geometry());
+  ScanInserter inserter({});
+  EXPECT_TRUE(inserter.Insert(Beam(1.0f), {1e15, 0.0, 0.0}, grid).empty());
+  EXPECT_LE(grid.geometry().width, LogOddsGrid::kMaxSide);
+}
+
+/// Beam by beam and cell by cell, straight from the description.
+void InsertSlowly(const ScanInserterParameters& parameters,
+                  const LaserScan& scan, const Pose2D& pose,
+                  LogOddsGrid& grid) {
+  std::set<std::pair<int, int>> hits;
+  std::set<std::pair<int, int>> misses;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const float range = scan.ranges[i];
+    const bool is_free = range > scan.range_max;
+    const bool is_hit = range >= scan.range_min && !is_free;
+    if (!is_free && !(is_hit && range <= parameters.max_range)) continue;
+    const double length = std::min<double>(is_free ? scan.range_max : range,
+                                           parameters.max_urange);
+    const double angle = pose.theta + scan.Angle(i);
+    const Eigen::Vector2d end =
+        pose.position() +
+        length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    TraverseCells(ToCellUnits(grid.geometry(), pose.position()),
+                  ToCellUnits(grid.geometry(), end), [&](const Cell& cell) {
+                    misses.emplace(cell.x, cell.y);
+                    return true;
+                  });
+    if (is_hit && range <= parameters.max_urange) {
+      const Cell cell = grid.geometry().ToCell(end);
+      hits.emplace(cell.x, cell.y);
+    }
+  }
+  const auto change = [&grid, &parameters](const Cell& cell, double by) {
+    const LogOdds value = grid[cell];
+    const int known = value == kUnexplored ? kEvenOdds : value;
+    const int steps = ToLogOdds(by) - kEvenOdds;
+    grid.Set(cell, static_cast<LogOdds>(std::clamp<int>(
+                       known + steps, ToLogOdds(parameters.min_probability),
+                       ToLogOdds(parameters.max_probability))));
+  };
+  for (const auto& [x, y] : hits) {
+    change({x, y}, parameters.hit_probability);
+    misses.erase({x, y});
+  }
+  for (const auto& [x, y] : misses) {
+    change({x, y}, parameters.miss_probability);
+  }
+}
+
+TEST(ScanInserter, AgreesWithTheSlowReference) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> offset(-6.0, 6.0);
+  std::uniform_real_distribution<float> range(0.0f, 9.0f);
+  ScanInserterParameters parameters;
+  parameters.max_urange = 5.5;
+  parameters.max_range = 7.0;
+  ScanInserter inserter(parameters);
+  GridGeometry geometry = Geometry();
+  geometry.origin = Eigen::Vector2d(-13.0, -12.3);
+  geometry.width = 250;
+  geometry.height = 243;
+  LogOddsGrid grid(geometry);
+  LogOddsGrid reference(geometry);
+  for (int round = 0; round < 40; ++round) {
+    LaserScan scan;
+    scan.angle_min = -2.3;
+    scan.angle_increment = 0.02;
+    scan.range_min = 0.3;
+    scan.range_max = 8.0;
+    for (int i = 0; i < 240; ++i) {
+      const int kind = static_cast<int>(random() % 12);
+      scan.ranges.push_back(kind == 0   ? kInf
+                            : kind == 1 ? kNan
+                            : kind == 2 ? -kInf
+                                        : range(random));
+    }
+    const Pose2D pose(offset(random), offset(random), offset(random));
+    const LogOddsGrid before = grid;
+    const cv::Rect changed = inserter.Insert(scan, pose, grid);
+    InsertSlowly(parameters, scan, pose, reference);
+    ASSERT_EQ(grid.geometry(), geometry);
+    for (int y = 0; y < geometry.height; ++y) {
+      for (int x = 0; x < geometry.width; ++x) {
+        const Cell cell{x, y};
+        ASSERT_EQ(grid[cell], reference[cell]) << x << ", " << y;
+        if (!changed.contains(cv::Point(x, y))) {
+          ASSERT_EQ(grid[cell], before[cell]);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vfh_astar
