@@ -24,6 +24,17 @@ class GridMap:
                 bottom, bottom + rows * self.resolution)
 
 
+def distance_from_line(point, line):
+    """m from a point to a polyline, N x 2 with N >= 1."""
+    if len(line) == 1:
+        return float(np.linalg.norm(point - line[0]))
+    begins, steps = line[:-1], np.diff(line, axis=0)
+    lengths = np.maximum(np.sum(steps * steps, axis=1), 1e-18)
+    along = np.clip(np.sum((point - begins) * steps, axis=1) / lengths, 0.0, 1.0)
+    nearest = begins + along[:, None] * steps
+    return float(np.min(np.linalg.norm(point - nearest, axis=1)))
+
+
 @dataclass
 class PoseSample:
     time: float  # s, simulated
@@ -50,6 +61,7 @@ class DriveRecord:
     poses: List[PoseSample] = field(default_factory=list)
     states: List[StateSample] = field(default_factory=list)
     plans: List[np.ndarray] = field(default_factory=list)  # N x 2, m
+    plan_times: List[float] = field(default_factory=list)  # s, simulated
     trajectories: List[np.ndarray] = field(default_factory=list)
     map: Optional[GridMap] = None
     least_clearance: float = math.inf  # m, ground truth
@@ -87,6 +99,20 @@ class DriveRecord:
             return None
         return (math.sqrt(sum(d * d for d in distances) / len(distances)),
                 max(distances))
+
+    def distances_from_plan(self):
+        """(simulated s, m) for each pose since the first plan: how far the robot
+        is from the line of the newest one. Means the same for every stack."""
+        distances = []
+        newest = -1
+        for pose in self.poses:
+            while (newest + 1 < len(self.plans)
+                   and self.plan_times[newest + 1] <= pose.time):
+                newest += 1
+            if newest >= 0:
+                distances.append((pose.time, distance_from_line(
+                    np.array((pose.x, pose.y)), self.plans[newest])))
+        return distances
 
     def reached_without_contact(self):
         return self.succeeded and not self.contacts

@@ -56,12 +56,8 @@ class GoalClient:
 
     def wait_until_ready(self):
         """Raises LaunchError naming the first thing that does not come up."""
-        _wait(self._stack, lambda: rospy.get_time() > 0.0,
-              "the simulator publishes no clock")
-        _wait(self._stack, lambda: self._observer.last_pose is not None,
-              "no robot on ground_truth/odom")
+        self.wait_until_served()
         _wait(self._stack, lambda: self._scan_seen, "no scan on front/scan")
-        _wait(self._stack, self._is_served, "no action server on move_base")
         _wait(self._stack, self._observer.has_map, "no map on map")
 
     def _is_served(self):
@@ -72,6 +68,12 @@ class GoalClient:
                 and client.pub_cancel.get_num_connections() > 0
                 and client.last_status_msg is not None)
 
+    def wait_until_served(self):
+        """As wait_until_ready, for the clock and the action server alone."""
+        _wait(self._stack, lambda: rospy.get_time() > 0.0,
+              "there is no clock")
+        _wait(self._stack, self._is_served, "no action server on move_base")
+
     def send(self, goal):
         """goal: x, y (m), yaw (rad) in the frame map."""
         message = MoveBaseGoal()
@@ -81,20 +83,30 @@ class GoalClient:
         message.target_pose.pose.position.y = goal[1]
         message.target_pose.pose.orientation = Quaternion(
             0.0, 0.0, math.sin(goal[2] / 2.0), math.cos(goal[2] / 2.0))
+        self.send_message(message)
+
+    def send_message(self, message):
+        """message: a MoveBaseGoal, whatever is in it."""
         self._client.send_goal(message)
 
+    def status(self):
+        """One of actionlib_msgs/GoalStatus."""
+        return self._client.get_state()
+
     def is_done(self):
-        return self._client.get_state() not in (
-            GoalStatus.PENDING, GoalStatus.ACTIVE)
+        return self.status() not in (GoalStatus.PENDING, GoalStatus.ACTIVE)
 
     def succeeded(self):
-        return self._client.get_state() == GoalStatus.SUCCEEDED
+        return self.status() == GoalStatus.SUCCEEDED
 
     def text(self):
         return self._client.get_goal_status_text()
 
     def cancel(self):
         self._client.cancel_goal()
+
+    def cancel_all(self):
+        self._client.cancel_all_goals()
 
 
 class _ClockWatch:

@@ -16,20 +16,19 @@ def yaw_of(orientation):
     return 2.0 * math.atan2(orientation.z, orientation.w)
 
 
-def _points(path):
-    return np.array([(p.pose.position.x, p.pose.position.y)
-                     for p in path.poses]).reshape(-1, 2)
-
-
 class Observer:
     """Fills the record that is set; only the map and the newest pose are kept
     without one. All topics are relative, as the stack's are."""
 
-    def __init__(self, plan_topic="plan"):
+    def __init__(self, plan_topic="plan", map_pose=(0.0, 0.0, 0.0)):
+        """map_pose: the frame of the stack's map and plans in the world; m, rad.
+        """
+        self._map_pose = map_pose
         self._lock = threading.Lock()
         self._record = None
         self._map = None
         self.last_pose = None
+        self.last_speed = 0.0  # m/s, ground truth
         self.last_state = None
         rospy.Subscriber("map", OccupancyGrid, self._on_map, queue_size=5)
         rospy.Subscriber("map_updates", OccupancyGridUpdate,
@@ -88,6 +87,7 @@ class Observer:
                             pose.position.y, yaw_of(pose.orientation))
         with self._lock:
             self.last_pose = sample
+            self.last_speed = odometry.twist.twist.linear.x
             if self._record is not None:
                 self._record.poses.append(sample)
 
@@ -101,14 +101,23 @@ class Observer:
             if self._record is not None:
                 self._record.states.append(sample)
 
+    def _points(self, path):
+        """N x 2, in the world."""
+        points = np.array([(p.pose.position.x, p.pose.position.y)
+                           for p in path.poses])
+        x, y, yaw = self._map_pose
+        cosine, sine = math.cos(yaw), math.sin(yaw)
+        return points @ np.array([(cosine, sine), (-sine, cosine)]) + (x, y)
+
     def _on_plan(self, path):
         if path.poses:
             with self._lock:
                 if self._record is not None:
-                    self._record.plans.append(_points(path))
+                    self._record.plans.append(self._points(path))
+                    self._record.plan_times.append(rospy.get_time())
 
     def _on_trajectory(self, path):
         if path.poses:
             with self._lock:
                 if self._record is not None:
-                    self._record.trajectories.append(_points(path))
+                    self._record.trajectories.append(self._points(path))

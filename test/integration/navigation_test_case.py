@@ -49,6 +49,11 @@ class NavigationTestCase(unittest.TestCase):
         client.wait_until_ready()
         return client
 
+    def served_client(self):
+        client = goal_drive.GoalClient(self.stack, self.observer)
+        client.wait_until_served()
+        return client
+
     def wait_simulated(self, condition, simulated_limit, wall_limit=60.0):
         """Returns the simulated seconds until condition() held; fails after
         either limit."""

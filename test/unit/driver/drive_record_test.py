@@ -1,7 +1,10 @@
 import math
 import unittest
 
-from driver.drive_record import DriveRecord, PoseSample, StateSample
+import numpy as np
+
+from driver.drive_record import (DriveRecord, PoseSample, StateSample,
+                                 distance_from_line)
 
 
 def state_sample(state, error_x, error_y):
@@ -32,6 +35,23 @@ class DriveRecordTest(unittest.TestCase):
         rms, greatest = self.record.tracking_errors()
         self.assertAlmostEqual(rms, math.sqrt((0.25 + 0.01) / 2))
         self.assertAlmostEqual(greatest, 0.5)
+
+    def test_distance_from_a_line(self):
+        line = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0)])
+        for point, distance in (((1.0, 0.5), 0.5), ((-3.0, 4.0), 5.0),
+                                ((2.5, 1.0), 0.5), ((2.0, 3.0), 1.0)):
+            self.assertAlmostEqual(
+                distance_from_line(np.array(point), line), distance)
+        self.assertAlmostEqual(
+            distance_from_line(np.array((3.0, 4.0)), line[:1]), 5.0)
+
+    def test_the_newest_plan_counts(self):
+        self.record.plans = [np.array([(0.0, 0.0), (9.0, 0.0)]),
+                             np.array([(0.0, 1.0), (9.0, 1.0)])]
+        self.record.plan_times = [1.0, 3.0]
+        self.record.poses = [PoseSample(t, t, 0.25, 0.0) for t in (0, 1, 2, 3)]
+        self.assertEqual(self.record.distances_from_plan(),
+                         [(1, 0.25), (2, 0.25), (3, 0.75)])
 
     def test_contact_spoils_success(self):
         self.record.succeeded = True
