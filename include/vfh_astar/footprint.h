@@ -33,11 +33,12 @@ struct Footprint {
            std::abs(point.y()) <= half_width;
   }
 
-  /// Distance in metres from the rectangle to a point of the robot's frame; 0
-  /// inside.
-  double Distance(const Eigen::Vector2d& point) const {
-    const double dx = std::max({-rear - point.x(), 0.0, point.x() - front});
-    const double dy = std::max(0.0, std::abs(point.y()) - half_width);
+  /// Distance in metres from the rectangle to a point of the robot's frame;
+  /// inside it is negative: how deep the point lies.
+  double SignedDistance(const Eigen::Vector2d& point) const {
+    const double dx = std::max(-rear - point.x(), point.x() - front);
+    const double dy = std::abs(point.y()) - half_width;
+    if (dx <= 0.0 || dy <= 0.0) return std::max(dx, dy);
     return std::hypot(dx, dy);
   }
 

@@ -29,26 +29,33 @@ struct LimitedCommand {
 /// can stop before its footprint, grown by the margin, reaches a hit of the
 /// latest scan.
 ///
-/// The motion that is checked: the command held for reaction_time, then braking
-/// along the same arc to rest. A command that fails is scaled down along its
-/// arc. Points that lie within the margin already do not forbid a motion that
-/// takes the robot away from them.
+/// The motion that is checked is the command held for reaction_time, then
+/// braking along the same arc to rest; sweeping it is sweeping the arc of the
+/// command for reaction_time plus half the braking time. A command that fails
+/// is scaled down along its arc, and where that leaves no way forward the robot
+/// may still turn on the spot. A point that lies within the margin already
+/// forbids only what brings it nearer, so that the robot can leave.
 class SafetyLimiter {
  public:
   SafetyLimiter(const SafetyLimiterParameters& parameters,
                 const Footprint& footprint);
 
   /// @param[in] command wanted.
-  /// @param[in] twist measured; the robot cannot stop faster than from this.
+  /// @param[in] twist measured. When braking from it at once would not do, the
+  ///   answer is to stop, whatever was wanted.
   /// @param[in] obstacles points in the robot's frame now, m.
   LimitedCommand Limit(const Twist2D& command, const Twist2D& twist,
                        const std::vector<Eigen::Vector2d>& obstacles) const;
 
-  /// True when stopping from `command`, driven from now on, keeps clear.
-  bool IsSafe(const Twist2D& command,
-              const std::vector<Eigen::Vector2d>& obstacles) const;
+  /// True when the robot, driving `command` for `hold` seconds and braking
+  /// then, keeps clear.
+  bool CanStop(const Twist2D& command, double hold,
+               const std::vector<Eigen::Vector2d>& obstacles) const;
 
  private:
+  Twist2D ScaleDown(const Twist2D& command,
+                    const std::vector<Eigen::Vector2d>& obstacles) const;
+
   SafetyLimiterParameters parameters_;
   Footprint footprint_;
 };

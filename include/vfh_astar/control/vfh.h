@@ -21,14 +21,14 @@ struct VfhParameters {
   double threshold_high = 0.25;   ///< and closes above this one.
   double wide_valley = 0.785398;  ///< rad; in wider valleys the robot keeps
                                   ///< half of this from the border.
-  double target_weight = 5.0;    ///< cost of turning away from the target,
-  double heading_weight = 2.0;   ///< of turning away from straight ahead,
-  double previous_weight = 2.0;  ///< of changing the choice.
-  double look_ahead = 1.0;       ///< m, L in w = 2 v sin(theta) / L.
-  double speed = 0.2;            ///< m/s; the paper drives at a constant one.
-  double slow_angle = 0.785398;  ///< rad off the chosen direction at which v
-                                 ///< has fallen to 0; pi or more: constant.
-  double low_pass = 0.5;         ///< b0 of the filter on w; a1 = 1 - b0.
+  double target_weight = 5.0;     ///< cost of turning away from the target,
+  double heading_weight = 2.0;    ///< of turning away from straight ahead,
+  double previous_weight = 2.0;   ///< of changing the choice.
+  double look_ahead = 1.0;        ///< m, L in w = 2 v sin(theta) / L.
+  double speed = 0.2;             ///< m/s; the paper drives at a constant one.
+  double slow_angle = 0.785398;   ///< rad off the chosen direction at which v
+                                  ///< has fallen to 0; pi or more: constant.
+  double low_pass = 0.5;          ///< b0 of the filter on w; a1 = 1 - b0.
 
   void Read(ParameterReader& reader);
 };
@@ -75,6 +75,10 @@ class Vfh {
   std::optional<double> previous_direction_;
   double filtered_w_ = 0.0;
 };
+
+/// The moving average of values around a circle, with triangular weights that
+/// reach `reach` values to each side.
+std::vector<double> SmoothCircle(const std::vector<double>& values, int reach);
 
 /// The open valleys of a circle of sectors that starts at -pi.
 std::vector<Valley> FindValleys(const std::vector<bool>& blocked);

@@ -7,41 +7,14 @@
 #include <vector>
 
 #include "vfh_astar/geometry.h"
-#include "vfh_astar/grid/clearance.h"
-#include "vfh_astar/laser_scan.h"
+#include "vfh_astar/navigation/motion_request.h"
 #include "vfh_astar/navigation/navigator_parameters.h"
+#include "vfh_astar/navigation/observation.h"
 #include "vfh_astar/navigation/state_machine.h"
 #include "vfh_astar/outcome.h"
 #include "vfh_astar/trajectory/trajectory.h"
 
 namespace vfh_astar {
-
-/// A question to the planner and the fitter. The answer carries its id, so that
-/// an answer to an old question is dropped.
-struct MotionRequest {
-  int id = 0;
-  std::string goal_id;
-  double start_time = 0.0;  ///< s, when the robot will be at `start`.
-  Reference start;          ///< map frame.
-  Pose2D goal;              ///< map frame.
-  double tolerance = 0.0;   ///< m, see PlanRequest.
-};
-
-/// What the navigator sees in one cycle. All stamps on one clock, s.
-struct NavigatorInput {
-  double time = 0.0;  ///< now.
-
-  std::optional<Pose2D> map_from_odom;   ///< nothing while tf lacks it.
-  std::optional<double> odometry_stamp;  ///< nothing before the first message.
-  Pose2D odom_from_base;                 ///< at odometry_stamp.
-  Twist2D twist;                         ///< at odometry_stamp.
-
-  const LaserScan* scan = nullptr;  ///< the newest, without defect; null before
-                                    ///< the first.
-  Pose2D base_from_laser;
-
-  const ClearanceMap* map = nullptr;  ///< null before the first.
-};
 
 /// What RViz and `navigation_state` show of a cycle.
 struct NavigatorStatus {

@@ -19,8 +19,10 @@ struct GoalParameters {
   double yaw_goal_tolerance = 0.05;  ///< rad
   double stopped_v = 0.02;           ///< m/s below which the robot stands,
   double stopped_w = 0.05;           ///< rad/s likewise.
-  double patience = 3.0;  ///< s for which a failure that may pass (no path,
-                          ///< goal blocked) is asked about again.
+  double settle_time = 1.5;  ///< s after the trajectory's end until a new one
+                             ///< is asked for, when the goal is not reached.
+  double patience = 3.0;     ///< s for which a failure that may pass (no path,
+                             ///< goal blocked) is asked about again.
 
   void Read(ParameterReader& reader);
 };
@@ -32,6 +34,7 @@ struct ReplanParameters {
   double horizon = 6.0;            ///< s of the trajectory that are watched.
   double margin = 0.0;   ///< m around the footprint that must be free.
   double period = 0.25;  ///< s between two requests at least.
+  double timeout = 2.0;  ///< s to wait for an answer.
   double latency = 0.1;  ///< s ahead at which a new trajectory starts.
   double lag = 0.15;     ///< m behind the reference from which on the reference
                          ///< waits for the robot; it stands still at max_error.

@@ -39,6 +39,7 @@ enum class Event {
 /// What has to hold for a transition besides its event.
 enum class Guard {
   kAlways,
+  kMoving,      ///< the robot moves, and a plan from rest might succeed.
   kMayRetry,    ///< the planner's failure may pass, and patience is left.
   kMayRecover,  ///< a recovery manoeuvre is left and could help.
 };
@@ -49,7 +50,6 @@ enum class Action {
   kRequestPlan,  ///< ask for a path and trajectory to the goal.
   kRetryPlan,    ///< ask again after a pause.
   kFollow,       ///< follow the trajectory that has come.
-  kRejoin,       ///< go on with the trajectory from its nearest point.
   kStop,         ///< stop, keep the goal.
   kStartRecovery,
   kReportCancelled,  ///< stop, end the goal.
@@ -71,12 +71,15 @@ const std::vector<Transition>& TransitionTable();
 
 /// Which guards hold at this moment.
 struct GuardValues {
+  bool moving = false;
   bool may_retry = false;
   bool may_recover = false;
 };
 
 class StateMachine {
  public:
+  explicit StateMachine(State initial = State::kIdle) : state_(initial) {}
+
   State state() const { return state_; }
 
   /// Takes the transition for an event.
@@ -84,7 +87,7 @@ class StateMachine {
   std::optional<Action> Handle(Event event, const GuardValues& guards = {});
 
  private:
-  State state_ = State::kIdle;
+  State state_;
 };
 
 /// True while a goal is being pursued and the robot may move.

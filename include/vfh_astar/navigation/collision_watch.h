@@ -1,0 +1,27 @@
+#ifndef VFH_ASTAR_NAVIGATION_COLLISION_WATCH_H_
+#define VFH_ASTAR_NAVIGATION_COLLISION_WATCH_H_
+
+#include <limits>
+
+#include "vfh_astar/footprint.h"
+#include "vfh_astar/navigation/observation.h"
+#include "vfh_astar/trajectory/trajectory.h"
+
+namespace vfh_astar {
+
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// s from time `from` on a trajectory until the footprint, grown by `margin`
+/// (m), reaches a hit of the scan; kNever when that lies beyond `horizon` (s).
+double TimeToScanCollision(const Trajectory& trajectory, double from,
+                           double horizon, const Footprint& footprint,
+                           double margin, const Observation& observation);
+
+/// The same against the occupied cells of the map; kNever without a map.
+double TimeToMapCollision(const Trajectory& trajectory, double from,
+                          double horizon, const Footprint& footprint,
+                          double margin, const Observation& observation);
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_NAVIGATION_COLLISION_WATCH_H_

@@ -1,0 +1,62 @@
+#ifndef VFH_ASTAR_NAVIGATION_RECOVERY_H_
+#define VFH_ASTAR_NAVIGATION_RECOVERY_H_
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "vfh_astar/footprint.h"
+#include "vfh_astar/geometry.h"
+#include "vfh_astar/navigation/navigator_parameters.h"
+#include "vfh_astar/navigation/observation.h"
+
+namespace vfh_astar {
+
+/// Short manoeuvres that free a robot which can neither drive on nor plan: in
+/// turn, backing up along the way it came and turning towards the most open
+/// direction. Each ends by itself, when the way is not free, or after its time
+/// limit.
+class Recovery {
+ public:
+  /// @param[in] parameters, footprint kept by reference: changes count at once.
+  Recovery(const RecoveryParameters& parameters, const Footprint& footprint);
+
+  /// Notes where the robot has been. Call in every cycle that is no recovery.
+  void Record(const Pose2D& pose);
+
+  /// Forgets where the robot has been, after a jump of its pose.
+  void ForgetTrail() { trail_.clear(); }
+
+  /// Begins the manoeuvre number `attempt` (from 0).
+  void Start(int attempt, const Observation& observation);
+
+  /// @return the command, or nothing when the manoeuvre has ended.
+  std::optional<Twist2D> Update(const Observation& observation);
+
+  /// What the present manoeuvre is, for people.
+  std::string Description() const;
+
+ private:
+  enum class Manoeuvre { kBackUp, kTurn };
+
+  std::optional<Twist2D> BackUp(const Observation& observation);
+  std::optional<Twist2D> Turn(const Observation& observation) const;
+
+  const RecoveryParameters& parameters_;
+  const Footprint& footprint_;
+  std::deque<Pose2D> trail_;  ///< oldest first.
+  Manoeuvre manoeuvre_ = Manoeuvre::kBackUp;
+  double start_time_ = 0.0;
+  Pose2D start_;
+  double turn_target_ = 0.0;  ///< rad, map frame.
+};
+
+/// The direction (rad, robot frame) in which the nearest obstacle within a
+/// footprint's breadth is farthest; the one nearest to straight ahead among
+/// equals.
+double MostOpenDirection(const std::vector<Eigen::Vector2d>& obstacles,
+                         const Footprint& footprint);
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_NAVIGATION_RECOVERY_H_

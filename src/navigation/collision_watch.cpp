@@ -1,0 +1,49 @@
+#include "vfh_astar/navigation/collision_watch.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "vfh_astar/trajectory/trajectory_fitter.h"
+
+namespace vfh_astar {
+
+double TimeToScanCollision(const Trajectory& trajectory, double from,
+                           double horizon, const Footprint& footprint,
+                           double margin, const Observation& observation) {
+  constexpr double kStep = 0.05;
+  const double end = std::min(from + horizon, trajectory.duration());
+  const Footprint grown = footprint.Grown(margin);
+  const double reach = grown.CircumscribedRadius();
+  const double travel = trajectory.Length(end) - trajectory.Length(from);
+  // The robot may be off the trajectory, so distances count from its start.
+  const Pose2D start = trajectory.Sample(from).pose;
+  std::vector<Eigen::Vector2d> near;
+  for (const Eigen::Vector2d& point : observation.obstacles) {
+    const Eigen::Vector2d in_map = observation.pose * point;
+    if ((in_map - start.position()).norm() <= travel + reach) {
+      near.push_back(in_map);
+    }
+  }
+  if (near.empty()) return kNever;
+  for (double time = from; time <= end; time += kStep) {
+    const Pose2D robot_from_map = trajectory.Sample(time).pose.Inverse();
+    for (const Eigen::Vector2d& point : near) {
+      if (grown.Contains(robot_from_map * point)) return time - from;
+    }
+  }
+  return kNever;
+}
+
+double TimeToMapCollision(const Trajectory& trajectory, double from,
+                          double horizon, const Footprint& footprint,
+                          double margin, const Observation& observation) {
+  if (observation.map == nullptr) return kNever;
+  const double end = std::min(from + horizon, trajectory.duration());
+  const std::optional<double> collision =
+      FirstCollision(trajectory, footprint, *observation.map, margin,
+                     std::min(from, end), end);
+  return collision ? *collision - from : kNever;
+}
+
+}  // namespace vfh_astar

@@ -1,0 +1,450 @@
+#include "vfh_astar/navigation/navigator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+#include "vfh_astar/navigation/arrival.h"
+#include "vfh_astar/navigation/driver.h"
+#include "vfh_astar/navigation/recovery.h"
+#include "vfh_astar/navigation/trajectory_watch.h"
+
+namespace vfh_astar {
+namespace {
+
+constexpr double kRetryDelay = 0.5;        ///< s between two tries to plan.
+constexpr double kStopBurst = 0.5;         ///< s of stop commands at the most.
+constexpr double kHeldUp = 0.5;            ///< s that end a blocked recovery.
+constexpr double kLongestCycle = 0.2;      ///< s counted for one cycle.
+constexpr double kProgressDistance = 1.0;  ///< m after which recoveries count
+                                           ///< anew.
+
+struct Goal {
+  std::string id;
+  Pose2D pose;
+};
+
+/// Something said from outside between two cycles.
+struct Order {
+  Event event;
+  Goal goal;  ///< for kGoal.
+};
+
+struct Failure {
+  Outcome outcome = Outcome::kSuccess;
+  std::string message;
+};
+
+/// A failure that a moving obstacle, or a map still growing, may undo.
+bool MayPass(Outcome outcome) {
+  return outcome == Outcome::kNoPath || outcome == Outcome::kGoalBlocked ||
+         outcome == Outcome::kStartBlocked || outcome == Outcome::kNoMap ||
+         outcome == Outcome::kNoTrajectory || outcome == Outcome::kTimeout;
+}
+
+/// A failure that moving the robot a little may undo.
+bool MovingMayHelp(Outcome outcome) {
+  return outcome == Outcome::kStartBlocked || outcome == Outcome::kNoTrajectory;
+}
+
+}  // namespace
+
+class Navigator::Impl {
+ public:
+  explicit Impl(const NavigatorParameters& parameters)
+      : parameters_(parameters),
+        driver_(parameters_),
+        schedule_(parameters.replan.period, parameters.replan.timeout),
+        watch_(parameters_),
+        recovery_(parameters_.recovery, parameters_.footprint) {}
+
+  void Tell(Order order) { orders_.push_back(std::move(order)); }
+  void Answer(MotionAnswer answer) { answers_.push_back(std::move(answer)); }
+
+  void SetParameters(const NavigatorParameters& parameters) {
+    parameters_ = parameters;
+    driver_.ParametersChanged();
+  }
+
+  NavigatorOutput Update(const NavigatorInput& input) {
+    const double elapsed = time_ ? input.time - *time_ : 0.0;
+    const double duration = std::clamp(elapsed, 0.0, kLongestCycle);
+    time_ = input.time;
+    observation_ = Observe(input, parameters_);
+    const bool was_driving = IsDriving(machine_.state());
+
+    TakeOrders();
+    TakeAnswers();
+    WatchFault();
+    if (!observation_.fault) Watch();
+    if (was_driving && !IsDriving(machine_.state())) stop_since_ = *time_;
+
+    NavigatorOutput output;
+    output.command = Command(duration, &output.status.limited);
+    output.request = Request();
+    if (!results_.empty()) {
+      output.result = std::move(results_.front());
+      results_.pop_front();
+    }
+    Describe(&output.status);
+    return output;
+  }
+
+ private:
+  void TakeOrders();
+  void TakeAnswers();
+  void WatchFault();
+  void Watch();
+  void WatchTrajectory();
+  void WatchRecovery();
+  void Raise(Event event, const std::string& detail = "");
+  void Perform(Action action);
+  void EndGoal(Outcome outcome, const std::string& message);
+  GuardValues Guards(Event event) const;
+  std::optional<Twist2D> Command(double duration, bool* limited);
+  Twist2D Wanted(double duration);
+  std::optional<Twist2D> StopCommand();
+  std::optional<MotionRequest> Request();
+  bool IsOnReference() const;
+  void Describe(NavigatorStatus* status) const;
+
+  NavigatorParameters parameters_;
+  StateMachine machine_;
+  Driver driver_;
+  MotionRequestSchedule schedule_;
+  TrajectoryWatch watch_;
+  Recovery recovery_;
+
+  std::deque<Order> orders_;
+  std::deque<MotionAnswer> answers_;
+  std::deque<GoalResult> results_;
+  std::optional<double> time_;
+  Observation observation_;
+  std::string reason_;
+
+  // Of the present goal.
+  Goal goal_;
+  int replans_ = 0;
+  Failure failure_;
+  std::optional<double> failing_since_;
+  int recoveries_ = 0;
+  Pose2D recovered_at_;
+
+  std::optional<double> fault_since_;
+  std::optional<double> held_up_since_;
+  std::optional<double> stop_since_;
+  Trajectory answer_;
+};
+
+void Navigator::Impl::TakeOrders() {
+  while (!orders_.empty()) {
+    const Order order = std::move(orders_.front());
+    orders_.pop_front();
+    if (order.event != Event::kGoal) {
+      Raise(order.event);
+      continue;
+    }
+    if (HasGoal(machine_.state())) {
+      EndGoal(Outcome::kCancelled, "replaced by a new goal");
+    }
+    goal_ = order.goal;
+    replans_ = 0;
+    recoveries_ = 0;
+    failing_since_.reset();
+    failure_ = {};
+    Raise(Event::kGoal);
+  }
+}
+
+void Navigator::Impl::TakeAnswers() {
+  while (!answers_.empty()) {
+    MotionAnswer answer = std::move(answers_.front());
+    answers_.pop_front();
+    if (!schedule_.Accept(answer.id)) continue;
+    if (answer.outcome == Outcome::kSuccess) {
+      answer_ = std::move(answer.trajectory);
+      failing_since_.reset();
+      Raise(Event::kTrajectory);
+      continue;
+    }
+    failure_ = {answer.outcome, answer.message};
+    if (!failing_since_) failing_since_ = *time_;
+    Raise(Event::kPlanFailed, answer.message);
+  }
+  if (schedule_.HasTimedOut(*time_)) {
+    failure_ = {Outcome::kTimeout, "the planner did not answer in time"};
+    if (!failing_since_) failing_since_ = *time_;
+    Raise(Event::kPlanFailed, failure_.message);
+  }
+}
+
+void Navigator::Impl::WatchFault() {
+  if (!observation_.fault) {
+    fault_since_.reset();
+    return;
+  }
+  if (!fault_since_) fault_since_ = *time_;
+  if (!HasGoal(machine_.state())) return;
+  reason_ = observation_.fault->message;
+  if (*time_ - *fault_since_ > parameters_.watchdog.fault_patience) {
+    failure_ = {observation_.fault->outcome, observation_.fault->message};
+    Raise(Event::kFault, failure_.message);
+  }
+}
+
+void Navigator::Impl::Watch() {
+  switch (machine_.state()) {
+    case State::kTracking:
+    case State::kAvoiding:
+    case State::kReplanning:
+      recovery_.Record(observation_.pose);
+      WatchTrajectory();
+      break;
+    case State::kRecovering:
+      WatchRecovery();
+      break;
+    default:
+      watch_.ResetProgress();
+  }
+}
+
+void Navigator::Impl::WatchTrajectory() {
+  const std::optional<Notice> notice =
+      watch_.Update(machine_.state(), observation_, driver_.follower());
+  if (!notice) return;
+  if (notice->event == Event::kStuck) {
+    failure_ = {Outcome::kStuck, "the robot made no progress"};
+  }
+  if (notice->event == Event::kObstacle) driver_.ResetAvoidance();
+  Raise(notice->event, notice->detail);
+}
+
+void Navigator::Impl::WatchRecovery() {
+  const bool held_up = held_up_since_ && *time_ - *held_up_since_ > kHeldUp;
+  if (held_up || !recovery_.Update(observation_)) Raise(Event::kRecovered);
+}
+
+GuardValues Navigator::Impl::Guards(Event event) const {
+  GuardValues guards;
+  guards.moving =
+      !observation_.fault && !IsStanding(observation_.twist, parameters_.goal);
+  guards.may_retry = MayPass(failure_.outcome) && failing_since_ &&
+                     *time_ - *failing_since_ < parameters_.goal.patience;
+  const bool could_help =
+      event == Event::kStuck || MovingMayHelp(failure_.outcome);
+  guards.may_recover = could_help && !observation_.fault &&
+                       recoveries_ < parameters_.recovery.max_attempts;
+  return guards;
+}
+
+void Navigator::Impl::Raise(Event event, const std::string& detail) {
+  const std::optional<Action> action = machine_.Handle(event, Guards(event));
+  if (!action) return;
+  reason_ = ToString(event) + (detail.empty() ? "" : ": " + detail);
+  if (event == Event::kPlanFailed) reason_ = detail;
+  Perform(*action);
+}
+
+void Navigator::Impl::Perform(Action action) {
+  switch (action) {
+    case Action::kNone:
+      break;
+    case Action::kRequestPlan:
+      ++replans_;
+      schedule_.Want(*time_, 0.0);
+      if (machine_.state() == State::kPlanning) driver_.follower().Clear();
+      break;
+    case Action::kRetryPlan:
+      schedule_.Want(*time_, kRetryDelay);
+      break;
+    case Action::kFollow:
+      driver_.follower().Follow(std::move(answer_), schedule_.join(),
+                                *time_ - schedule_.start_time());
+      watch_.Reset();
+      break;
+    case Action::kStop:
+      schedule_.Clear();
+      driver_.follower().Clear();
+      break;
+    case Action::kStartRecovery:
+      schedule_.Clear();
+      driver_.follower().Clear();
+      watch_.Reset();
+      held_up_since_.reset();
+      if ((observation_.pose.position() - recovered_at_.position()).norm() >
+          kProgressDistance) {
+        recoveries_ = 0;
+      }
+      recovered_at_ = observation_.pose;
+      recovery_.Start(recoveries_++, observation_);
+      reason_ += "; " + recovery_.Description();
+      break;
+    case Action::kReportCancelled:
+      EndGoal(Outcome::kCancelled, "cancelled");
+      break;
+    case Action::kReportSuccess:
+      EndGoal(Outcome::kSuccess, "goal reached");
+      break;
+    case Action::kReportFailure:
+      EndGoal(failure_.outcome, failure_.message);
+      break;
+  }
+}
+
+void Navigator::Impl::EndGoal(Outcome outcome, const std::string& message) {
+  results_.push_back({goal_.id, outcome, message});
+  schedule_.Clear();
+  if (!HasGoal(machine_.state())) {
+    driver_.follower().Clear();
+    watch_.Reset();
+  }
+}
+
+std::optional<Twist2D> Navigator::Impl::Command(double duration,
+                                                bool* limited) {
+  if (!IsDriving(machine_.state())) return StopCommand();
+  stop_since_.reset();
+  if (observation_.fault) {
+    driver_.Stopped();
+    return Twist2D();
+  }
+  const Twist2D wanted = Wanted(duration);
+  const LimitedCommand result = driver_.Limit(wanted, observation_, duration);
+  *limited = result.limited;
+  const bool held_up = result.limited && result.command.v == 0.0 &&
+                       std::abs(result.command.w) < 0.01;
+  if (!held_up) {
+    held_up_since_.reset();
+  } else if (!held_up_since_) {
+    held_up_since_ = *time_;
+  }
+  return result.command;
+}
+
+Twist2D Navigator::Impl::Wanted(double duration) {
+  if (machine_.state() == State::kRecovering) {
+    return recovery_.Update(observation_).value_or(Twist2D());
+  }
+  if (watch_.avoiding()) return driver_.Avoid(observation_, duration);
+  const bool hold_position = driver_.follower().ended() && watch_.at_end();
+  return driver_.Track(observation_, duration, hold_position);
+}
+
+std::optional<Twist2D> Navigator::Impl::StopCommand() {
+  driver_.Stopped();
+  if (!stop_since_) return std::nullopt;
+  // One burst: until the robot stands, and no longer.
+  const double since = *time_ - *stop_since_;
+  const bool standing = !observation_.fault && since > 0.0 &&
+                        IsStanding(observation_.twist, parameters_.goal);
+  if (standing || since > kStopBurst) {
+    stop_since_.reset();
+    return std::nullopt;
+  }
+  return Twist2D();
+}
+
+bool Navigator::Impl::IsOnReference() const {
+  const TrajectoryFollower& follower = driver_.follower();
+  if (!follower.active() || follower.pending() || watch_.avoiding())
+    return false;
+  const Eigen::Vector3d error = driver_.Error(observation_);
+  const Twist2D reference = follower.At(0.0).twist;
+  return error.head<2>().norm() < 0.5 * parameters_.replan.max_error &&
+         std::abs(error[2]) < 0.5 * parameters_.replan.max_heading_error &&
+         std::abs(reference.v - observation_.twist.v) <
+             0.25 * parameters_.limits.max_v;
+}
+
+std::optional<MotionRequest> Navigator::Impl::Request() {
+  if (!schedule_.IsDue(*time_) || observation_.fault) return std::nullopt;
+  const bool standing = IsStanding(observation_.twist, parameters_.goal);
+  if (machine_.state() == State::kPlanning && !standing) return std::nullopt;
+
+  MotionRequest request;
+  std::optional<double> join;
+  const double latency = parameters_.replan.latency;
+  if (IsOnReference()) {
+    join = driver_.follower().clock() + latency;
+    request.start = driver_.follower().At(latency);
+    request.start_time = *time_ + latency;
+  } else if (standing) {
+    request.start.pose = observation_.pose;
+    request.start_time = *time_;
+  } else {
+    request.start.twist = driver_.previous();
+    request.start.pose =
+        Integrate(observation_.pose, request.start.twist, latency);
+    request.start_time = *time_ + latency;
+  }
+  request.id = schedule_.Send(*time_, request.start_time, join);
+  request.goal_id = goal_.id;
+  request.goal = goal_.pose;
+  request.tolerance = parameters_.goal.tolerance;
+  return request;
+}
+
+void Navigator::Impl::Describe(NavigatorStatus* status) const {
+  status->state = machine_.state();
+  status->reason = reason_;
+  status->replans = std::max(0, replans_ - 1);
+  if (HasGoal(status->state)) status->goal_id = goal_.id;
+  if (observation_.fault) return;
+  status->pose = observation_.pose;
+  status->speed = observation_.twist.v;
+  status->clearance =
+      FootprintClearance(parameters_.footprint, observation_.obstacles);
+  if (HasGoal(status->state)) {
+    status->distance_to_goal =
+        (goal_.pose.position() - observation_.pose.position()).norm();
+  }
+  if (driver_.follower().active()) {
+    status->reference = driver_.follower().At(0.0);
+    status->error = driver_.Error(observation_);
+  }
+  if (watch_.avoiding()) {
+    status->vfh_histogram = driver_.avoidance().histogram;
+    status->vfh_blocked = driver_.avoidance().blocked;
+    status->vfh_direction = driver_.avoidance().direction;
+  }
+}
+
+Navigator::Navigator(const NavigatorParameters& parameters)
+    : impl_(std::make_unique<Impl>(parameters)) {}
+
+Navigator::~Navigator() = default;
+
+void Navigator::SetGoal(const std::string& goal_id, const Pose2D& goal) {
+  impl_->Tell({Event::kGoal, {goal_id, goal}});
+}
+
+void Navigator::Cancel() { impl_->Tell({Event::kCancel, {}}); }
+void Navigator::Pause() { impl_->Tell({Event::kPause, {}}); }
+void Navigator::Resume() { impl_->Tell({Event::kResume, {}}); }
+
+void Navigator::SetTrajectory(int id, Trajectory trajectory) {
+  MotionAnswer answer;
+  answer.id = id;
+  answer.trajectory = std::move(trajectory);
+  impl_->Answer(std::move(answer));
+}
+
+void Navigator::PlanFailed(int id, Outcome outcome,
+                           const std::string& message) {
+  MotionAnswer answer;
+  answer.id = id;
+  answer.outcome = outcome;
+  answer.message = message;
+  impl_->Answer(std::move(answer));
+}
+
+NavigatorOutput Navigator::Update(const NavigatorInput& input) {
+  return impl_->Update(input);
+}
+
+void Navigator::SetParameters(const NavigatorParameters& parameters) {
+  impl_->SetParameters(parameters);
+}
+
+}  // namespace vfh_astar

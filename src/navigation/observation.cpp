@@ -1,0 +1,79 @@
+#include "vfh_astar/navigation/observation.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace vfh_astar {
+namespace {
+
+std::string AgeMessage(const char* what, double age, double limit) {
+  char text[96];
+  std::snprintf(text, sizeof(text), "%s is %.2f s old; expected %.2f s or less",
+                what, age, limit);
+  return text;
+}
+
+std::optional<Fault> FindFault(const NavigatorInput& input,
+                               const NavigatorParameters& parameters) {
+  if (input.scan == nullptr) {
+    return Fault{Outcome::kNoScan, "no scan has been received"};
+  }
+  if (!input.odometry_stamp) {
+    return Fault{Outcome::kNoOdometry, "no odometry has been received"};
+  }
+  if (!input.map_from_odom) {
+    return Fault{Outcome::kTransformError,
+                 "there is no transform from map to odom"};
+  }
+  const double scan_age = input.time - input.scan->stamp;
+  const double scan_timeout = parameters.safety.scan_timeout;
+  if (scan_age > scan_timeout) {
+    return Fault{Outcome::kNoScan,
+                 AgeMessage("the latest scan", scan_age, scan_timeout)};
+  }
+  const double odometry_age = input.time - *input.odometry_stamp;
+  const double odometry_timeout = parameters.watchdog.odometry_timeout;
+  if (odometry_age > odometry_timeout) {
+    return Fault{
+        Outcome::kNoOdometry,
+        AgeMessage("the latest odometry", odometry_age, odometry_timeout)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Observation Observe(const NavigatorInput& input,
+                    const NavigatorParameters& parameters) {
+  Observation observation;
+  observation.time = input.time;
+  observation.map = input.map;
+  observation.twist = input.twist;
+  observation.fault = FindFault(input, parameters);
+  if (observation.fault) return observation;
+
+  const auto odom_from_base_at = [&](double time) {
+    return Integrate(input.odom_from_base, input.twist,
+                     time - *input.odometry_stamp);
+  };
+  const Pose2D odom_from_now = odom_from_base_at(input.time);
+  observation.pose = *input.map_from_odom * odom_from_now;
+  const Pose2D now_from_laser = odom_from_now.Inverse() *
+                                odom_from_base_at(input.scan->stamp) *
+                                input.base_from_laser;
+  observation.obstacles =
+      HitPoints(*input.scan, now_from_laser, input.scan->range_max);
+  return observation;
+}
+
+double FootprintClearance(const Footprint& footprint,
+                          const std::vector<Eigen::Vector2d>& obstacles) {
+  double clearance = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector2d& point : obstacles) {
+    clearance = std::min(clearance, footprint.SignedDistance(point));
+  }
+  return clearance;
+}
+
+}  // namespace vfh_astar

@@ -1,0 +1,146 @@
+#include "vfh_astar/control/safety_limiter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace vfh_astar {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+SafetyLimiterParameters Parameters() {
+  SafetyLimiterParameters parameters;
+  parameters.margin = 0.0;
+  parameters.reaction_time = 0.1;
+  parameters.deceleration = 2.0;
+  parameters.angular_deceleration = 10.0;
+  return parameters;
+}
+
+TEST(SafetyLimiterTest, PassesOnWhatIsSafe) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const LimitedCommand result = limiter.Limit({2.0, 1.0}, {2.0, 1.0}, {});
+  EXPECT_FALSE(result.limited);
+  EXPECT_EQ(result.command.v, 2.0);
+  EXPECT_EQ(result.command.w, 1.0);
+}
+
+TEST(SafetyLimiterTest, TheBrakingDistanceByHand) {
+  // From 2 m/s: 0.2 m of reaction and 2^2 / (2 * 2) = 1 m of braking.
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const double reach = Footprint().front + 1.2;
+  EXPECT_TRUE(limiter.CanStop({2.0, 0.0}, 0.1, {{reach + 0.005, 0.0}}));
+  EXPECT_FALSE(limiter.CanStop({2.0, 0.0}, 0.1, {{reach - 0.005, 0.0}}));
+  EXPECT_TRUE(limiter.CanStop({2.0, 0.0}, 0.1, {{reach - 0.1, 0.22}}));
+}
+
+TEST(SafetyLimiterTest, SlowsToWhatTheDistanceAllows) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  // 0.3 m away: v * 0.1 + v^2 / 4 = 0.3 gives v = 0.9136.
+  const LimitedCommand result =
+      limiter.Limit({2.0, 0.0}, {0.5, 0.0}, {{Footprint().front + 0.3, 0.0}});
+  EXPECT_TRUE(result.limited);
+  EXPECT_NEAR(result.command.v, 0.9136, 0.02);
+  EXPECT_LE(result.command.v, 0.9137);
+}
+
+TEST(SafetyLimiterTest, KeepsTheArcWhileSlowing) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const LimitedCommand result =
+      limiter.Limit({2.0, 0.5}, {0.0, 0.0}, {{0.8, 0.0}});
+  ASSERT_TRUE(result.limited);
+  ASSERT_GT(result.command.v, 0.1);
+  EXPECT_NEAR(result.command.w / result.command.v, 0.25, 1e-9);
+}
+
+TEST(SafetyLimiterTest, StopsAtOnceWhenBrakingAloneWouldHit) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const LimitedCommand result =
+      limiter.Limit({0.1, 0.0}, {2.0, 0.0}, {{Footprint().front + 0.5, 0.0}});
+  EXPECT_TRUE(result.limited);
+  EXPECT_EQ(result.command.v, 0.0);
+  EXPECT_EQ(result.command.w, 0.0);
+}
+
+TEST(SafetyLimiterTest, TurnsWhereItCannotDriveOn) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const LimitedCommand result =
+      limiter.Limit({0.5, 0.5}, {0.0, 0.0}, {{Footprint().front + 0.001, 0.0}});
+  EXPECT_TRUE(result.limited);
+  EXPECT_EQ(result.command.v, 0.0);
+  EXPECT_GT(result.command.w, 0.1);
+}
+
+TEST(SafetyLimiterTest, LetsTheRobotLeaveAnObstacleWithinTheMargin) {
+  SafetyLimiterParameters parameters = Parameters();
+  parameters.margin = 0.05;
+  const SafetyLimiter limiter(parameters, Footprint());
+  const Points near = {{Footprint().front + 0.02, 0.0}};
+  EXPECT_FALSE(limiter.Limit({-0.3, 0.0}, {0.0, 0.0}, near).limited);
+  EXPECT_EQ(limiter.Limit({0.3, 0.0}, {0.0, 0.0}, near).command.v, 0.0);
+}
+
+/// The least distance when the robot does what the limiter assumes at worst:
+/// holds the command for the reaction time, then brakes along its arc.
+double LeastDistance(const Twist2D& command, const Points& points,
+                     const SafetyLimiterParameters& parameters) {
+  const Footprint footprint;
+  const double braking =
+      std::max(std::abs(command.v) / parameters.deceleration,
+               std::abs(command.w) / parameters.angular_deceleration);
+  constexpr double kStep = 0.001;
+  Pose2D pose;
+  double least = 1e9;
+  for (double time = 0.0; time < parameters.reaction_time + braking;
+       time += kStep) {
+    const double speed =
+        braking == 0.0
+            ? 0.0
+            : std::clamp(1.0 - (time - parameters.reaction_time) / braking, 0.0,
+                         1.0);
+    pose = Integrate(pose, {speed * command.v, speed * command.w}, kStep);
+    for (const Eigen::Vector2d& point : points) {
+      least = std::min(least, footprint.SignedDistance(pose.Inverse() * point));
+    }
+  }
+  return least;
+}
+
+TEST(SafetyLimiterTest, WhatItPassesOnCanAlwaysStop) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-1.3, 1.3);
+  std::uniform_real_distribution<double> speed(-1.0, 2.0);
+  std::uniform_real_distribution<double> turn(-4.0, 4.0);
+  SafetyLimiterParameters parameters = Parameters();
+  parameters.margin = 0.02;
+  const Footprint footprint;
+  const SafetyLimiter limiter(parameters, footprint);
+  int limited = 0;
+  for (int run = 0; run < 2000; ++run) {
+    Points points;
+    while (points.size() < 12) {
+      const Eigen::Vector2d point(place(random), place(random));
+      if (footprint.SignedDistance(point) > 0.0) points.push_back(point);
+    }
+    double before = 1e9;
+    for (const Eigen::Vector2d& point : points) {
+      before = std::min(before, footprint.SignedDistance(point));
+    }
+    const LimitedCommand result =
+        limiter.Limit({speed(random), turn(random)}, {0.0, 0.0}, points);
+    limited += result.limited ? 1 : 0;
+    // Between two checked poses the outline moves 2 cm, which a corner can use
+    // to come nearer by less than the margin.
+    EXPECT_GT(LeastDistance(result.command, points, parameters),
+              std::min(before, parameters.margin) - 0.01)
+        << "run " << run;
+  }
+  EXPECT_GT(limited, 200);
+  EXPECT_LT(limited, 1900);
+}
+
+}  // namespace
+}  // namespace vfh_astar
