@@ -15,6 +15,10 @@ struct RobotLimits {
   double max_deceleration = 2.5;          ///< m/s^2, braking.
   double max_angular_acceleration = 8.0;  ///< rad/s^2
   double max_lateral_acceleration = 2.0;  ///< m/s^2, v * w.
+  double max_wheel_speed = 2.5;    ///< m/s on the ground, of the faster side.
+  double wheel_separation = 0.56;  ///< m; effective, as the wheel controller
+                                   ///< takes it: skidding makes it wider than
+                                   ///< the track.
 
   void Read(ParameterReader& reader) {
     reader.Number("max_v", max_v, 0.05, 20.0);
@@ -26,6 +30,8 @@ struct RobotLimits {
                   100.0);
     reader.Number("max_lateral_acceleration", max_lateral_acceleration, 0.05,
                   50.0);
+    reader.Number("max_wheel_speed", max_wheel_speed, 0.05, 20.0);
+    reader.Number("wheel_separation", wheel_separation, 0.0, 5.0);
   }
 };
 

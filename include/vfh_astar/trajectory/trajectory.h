@@ -1,15 +1,13 @@
 #ifndef VFH_ASTAR_TRAJECTORY_TRAJECTORY_H_
 #define VFH_ASTAR_TRAJECTORY_TRAJECTORY_H_
 
-#include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "vfh_astar/geometry.h"
+#include "vfh_astar/trajectory/quintic.h"
 
 namespace vfh_astar {
-
-/// Coefficients c0..c5 of a polynomial in tau = t / duration, 0 <= tau <= 1.
-using Quintic = Eigen::Matrix<double, 6, 1>;
 
 /// One piece of a trajectory.
 struct TrajectoryPiece {
@@ -49,8 +47,12 @@ class Trajectory {
   /// s
   double duration() const { return duration_; }
 
-  /// m driven from the start until `t`.
+  /// m driven from the start until `t`, forward and backward alike.
   double Length(double t) const;
+
+  /// The last time (s) at which no more than `length` (m) have been driven;
+  /// within a micrometre of it, and never later.
+  double TimeAtLength(double length) const;
 
   /// The reference at a time.
   ///   v_d = hypot(x', y'), w_d = (y'' x' - x'' y') / (x'^2 + y'^2),
@@ -63,8 +65,11 @@ class Trajectory {
   Reference Sample(double t) const;
 
  private:
+  std::size_t PieceAt(double t) const;
+
   std::vector<TrajectoryPiece> pieces_;
-  std::vector<double> start_times_;
+  std::vector<double> start_times_;    ///< s, of each piece.
+  std::vector<double> start_lengths_;  ///< m, of each piece, and the whole.
   double duration_ = 0.0;
 };
 

@@ -2,7 +2,6 @@
 #define VFH_ASTAR_TRAJECTORY_TRAJECTORY_FITTER_H_
 
 #include <Eigen/Core>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "vfh_astar/outcome.h"
 #include "vfh_astar/parameters.h"
 #include "vfh_astar/robot_limits.h"
+#include "vfh_astar/trajectory/first_collision.h"  // IWYU pragma: export
 #include "vfh_astar/trajectory/trajectory.h"
 
 namespace vfh_astar {
@@ -63,13 +63,6 @@ class TrajectoryFitter {
  private:
   TrajectoryFitterParameters parameters_;
 };
-
-/// The first time in [from, to] (s) at which the footprint, grown by `margin`
-/// (m), is not free of occupied cells; nothing when it is free all along.
-std::optional<double> FirstCollision(const Trajectory& trajectory,
-                                     const Footprint& footprint,
-                                     const ClearanceMap& clearance,
-                                     double margin, double from, double to);
 
 }  // namespace vfh_astar
 

@@ -1,0 +1,46 @@
+#ifndef VFH_ASTAR_TRAJECTORY_PATH_SHORTENING_H_
+#define VFH_ASTAR_TRAJECTORY_PATH_SHORTENING_H_
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "vfh_astar/grid/clearance.h"
+
+namespace vfh_astar {
+
+using Polyline = std::vector<Eigen::Vector2d>;
+
+/// How near a shortened path may come to an obstacle; distances as in
+/// ClearanceMap, from the robot's centre.
+struct ShorteningLimits {
+  double needed = 0.0;  ///< m; below this the path itself is kept.
+  double wanted = 0.0;  ///< m; more than this is not looked for.
+};
+
+/// Takes the zigzag of the grid out of a path: points are left out where the
+/// straight line between the remaining ones is free and keeps about as much
+/// clearance as the path has beside it, up to `wanted`. So a path in the middle
+/// of a doorway stays there, and a path through the open becomes straight.
+/// @param[in] path at least one point.
+/// @return a subset of the path's points, with its first and its last.
+Polyline ShortenPath(const Polyline& path, const ClearanceMap& clearance,
+                     const ShorteningLimits& limits);
+
+/// m
+double Length(const Polyline& line);
+
+/// Points along a line at equal distances, `count` of them (2 or more), with
+/// both ends.
+Polyline Resample(const Polyline& line, int count);
+
+/// The part of a line up to `length` metres, and the part from there on; both
+/// have the point between them.
+struct SplitLine {
+  Polyline before;
+  Polyline after;
+};
+SplitLine SplitAt(const Polyline& line, double length);
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_TRAJECTORY_PATH_SHORTENING_H_

@@ -1,0 +1,138 @@
+#include "vfh_astar/trajectory/path_shortening.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+namespace vfh_astar {
+namespace {
+
+// Part of the path's own clearance that a shortcut keeps.
+constexpr double kKept = 0.85;
+
+class Shortener {
+ public:
+  Shortener(const Polyline& path, const ClearanceMap& clearance,
+            const ShorteningLimits& limits)
+      : path_(path), clearance_(clearance), limits_(limits) {
+    for (const Eigen::Vector2d& point : path) {
+      path_clearance_.push_back(clearance.At(point));
+    }
+  }
+
+  // The farthest point found that can be reached straight from `from`: the
+  // distance doubles while that succeeds, then is halved.
+  std::size_t FarthestFrom(std::size_t from) const {
+    const std::size_t last = path_.size() - 1;
+    std::size_t good = from + 1;
+    std::size_t bad = last + 1;
+    for (std::size_t step = 2; good < last; step *= 2) {
+      const std::size_t next = std::min(from + step, last);
+      if (!IsStraight(from, next)) {
+        bad = next;
+        break;
+      }
+      good = next;
+    }
+    while (good + 1 < bad) {
+      const std::size_t middle = good + (bad - good) / 2;
+      (IsStraight(from, middle) ? good : bad) = middle;
+    }
+    return good;
+  }
+
+ private:
+  bool IsStraight(std::size_t from, std::size_t to) const {
+    for (std::size_t i = from; i <= to; ++i) {
+      if (path_clearance_[i] < limits_.needed) return false;
+    }
+    const Eigen::Vector2d way = path_[to] - path_[from];
+    const double length = way.norm();
+    const double resolution = clearance_.geometry().resolution;
+    double at = 0.0;
+    while (at < length) {
+      const double part = at / length;
+      const double here = clearance_.At(path_[from] + part * way);
+      const double beside =
+          path_clearance_[from + static_cast<std::size_t>(
+                                     part * static_cast<double>(to - from))];
+      const double kept =
+          std::max(limits_.needed, kKept * std::min(beside, limits_.wanted));
+      if (here < kept) return false;
+      at += std::max(0.5 * resolution, here - limits_.wanted);
+    }
+    return true;
+  }
+
+  const Polyline& path_;
+  const ClearanceMap& clearance_;
+  ShorteningLimits limits_;
+  std::vector<double> path_clearance_;
+};
+
+}  // namespace
+
+Polyline ShortenPath(const Polyline& path, const ClearanceMap& clearance,
+                     const ShorteningLimits& limits) {
+  assert(!path.empty());
+  const Shortener shortener(path, clearance, limits);
+  Polyline shortened = {path.front()};
+  for (std::size_t i = 0; i + 1 < path.size();) {
+    i = shortener.FarthestFrom(i);
+    shortened.push_back(path[i]);
+  }
+  return shortened;
+}
+
+double Length(const Polyline& line) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    length += (line[i] - line[i - 1]).norm();
+  }
+  return length;
+}
+
+Polyline Resample(const Polyline& line, int count) {
+  assert(line.size() >= 2 && count >= 2);
+  const double spacing = Length(line) / (count - 1);
+  Polyline points = {line.front()};
+  double passed = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector2d way = line[i] - line[i - 1];
+    const double length = way.norm();
+    while (static_cast<int>(points.size()) < count - 1) {
+      const double wanted = spacing * static_cast<double>(points.size());
+      if (wanted > passed + length) break;
+      points.push_back(line[i - 1] + (wanted - passed) / length * way);
+    }
+    passed += length;
+  }
+  while (static_cast<int>(points.size()) < count) points.push_back(line.back());
+  return points;
+}
+
+SplitLine SplitAt(const Polyline& line, double length) {
+  assert(line.size() >= 2);
+  SplitLine parts;
+  double passed = 0.0;
+  std::size_t i = 1;
+  parts.before.push_back(line.front());
+  for (; i + 1 < line.size(); ++i) {
+    const double step = (line[i] - line[i - 1]).norm();
+    if (passed + step > length) break;
+    passed += step;
+    parts.before.push_back(line[i]);
+  }
+  const Eigen::Vector2d way = line[i] - line[i - 1];
+  const double share =
+      way.norm() > 0.0 ? std::clamp((length - passed) / way.norm(), 0.0, 1.0)
+                       : 1.0;
+  const Eigen::Vector2d point = line[i - 1] + share * way;
+  parts.before.push_back(point);
+  parts.after.push_back(point);
+  parts.after.insert(parts.after.end(), line.begin() + i, line.end());
+  return parts;
+}
+
+}  // namespace vfh_astar

@@ -1,0 +1,149 @@
+#include "vfh_astar/trajectory/timing.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+#include "vfh_astar/trajectory/speed_profile.h"
+
+namespace vfh_astar {
+namespace {
+
+// rad between the nodes of a turn.
+constexpr double kTurnSpan = 0.1;
+constexpr int kMinTurnSpans = 8;
+
+ProfileProblem DriveProblem(const std::vector<CurvePoint>& points, bool reverse,
+                            const DriveStart& start, const RobotLimits& limits,
+                            const RoomSpeed& rule, const PoseCheck& check) {
+  const double max_v = reverse ? limits.max_v_reverse : limits.max_v;
+  ProfileProblem problem;
+  problem.max_acceleration = limits.max_acceleration;
+  problem.max_deceleration = limits.max_deceleration;
+  problem.max_angular_acceleration = limits.max_angular_acceleration;
+  problem.start_speed = start.speed;
+  problem.start_acceleration = start.acceleration;
+  double allowed_before = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CurvePoint& point = points[i];
+    const Pose2D pose(point.position, point.heading + (reverse ? kPi : 0.0));
+    const double allowed =
+        std::min(SpeedAtCurvature(point.curvature, max_v, limits),
+                 SpeedAtRoom(check.Room(pose), max_v, rule));
+    problem.curvatures.push_back(point.curvature);
+    problem.curvature_rates.push_back(point.curvature_rate);
+    if (i > 0) {
+      problem.lengths.push_back(point.length);
+      problem.max_speeds.push_back(std::min(allowed_before, allowed));
+    }
+    allowed_before = allowed;
+  }
+  return problem;
+}
+
+struct MotionState {
+  Jet x;
+  Jet y;
+};
+
+// Position, velocity and acceleration on a curve driven with speed v and
+// acceleration a along it.
+MotionState StateAt(const CurvePoint& point, double v, double a) {
+  const double c = std::cos(point.heading);
+  const double s = std::sin(point.heading);
+  const double lateral = point.curvature * v * v;
+  MotionState state;
+  state.x = {point.position.x(), v * c, a * c - lateral * s, 0.0};
+  state.y = {point.position.y(), v * s, a * s + lateral * c, 0.0};
+  return state;
+}
+
+}  // namespace
+
+double SpeedAtCurvature(double curvature, double max_v,
+                        const RobotLimits& limits) {
+  const double bend = std::abs(curvature);
+  double v = std::min(max_v, limits.max_wheel_speed /
+                                 (1.0 + 0.5 * limits.wheel_separation * bend));
+  if (bend > 0.0) {
+    v = std::min({v, limits.max_w / bend,
+                  std::sqrt(limits.max_lateral_acceleration / bend)});
+  }
+  return v;
+}
+
+double SpeedAtRoom(double room, double max_v, const RoomSpeed& rule) {
+  const double near_speed = std::min(rule.near_speed, max_v);
+  if (room >= rule.fast_room) return max_v;
+  if (room <= rule.slow_room) {
+    const double share =
+        rule.slow_room > 0.0 ? std::max(room / rule.slow_room, 0.25) : 1.0;
+    return near_speed * share;
+  }
+  const double share =
+      (room - rule.slow_room) / (rule.fast_room - rule.slow_room);
+  return near_speed + share * (max_v - near_speed);
+}
+
+TimedPieces TimeDrive(const std::vector<CurvePoint>& points, bool reverse,
+                      const DriveStart& start, const RobotLimits& limits,
+                      const RoomSpeed& rule, const PoseCheck& check) {
+  assert(points.size() >= 2);
+  const SpeedProfile profile =
+      OptimizeSpeed(DriveProblem(points, reverse, start, limits, rule, check));
+  TimedPieces timed;
+  timed.keeps_limits = profile.keeps_limits;
+  timed.pieces.reserve(points.size() - 1);
+  MotionState from =
+      StateAt(points[0], profile.speeds[0], profile.accelerations[0]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const MotionState to =
+        StateAt(points[i], profile.speeds[i], profile.accelerations[i]);
+    TrajectoryPiece piece;
+    piece.kind = reverse ? TrajectoryPiece::Kind::kReverse
+                         : TrajectoryPiece::Kind::kForward;
+    piece.duration = profile.durations[i - 1];
+    piece.x = HermiteQuintic(from.x, to.x, piece.duration);
+    piece.y = HermiteQuintic(from.y, to.y, piece.duration);
+    timed.pieces.push_back(piece);
+    from = to;
+  }
+  return timed;
+}
+
+std::vector<TrajectoryPiece> TimeTurn(const Pose2D& pose, double angle,
+                                      double w, const RobotLimits& limits) {
+  assert(angle != 0.0 && w * angle >= 0.0);
+  const double sign = angle > 0.0 ? 1.0 : -1.0;
+  const int spans = std::max(
+      kMinTurnSpans, static_cast<int>(std::ceil(std::abs(angle) / kTurnSpan)));
+  const double span = std::abs(angle) / spans;
+  ProfileProblem problem;
+  problem.lengths.assign(spans, span);
+  problem.max_speeds.assign(spans, limits.max_w);
+  problem.curvatures.assign(spans + 1, 0.0);
+  problem.curvature_rates.assign(spans + 1, 0.0);
+  problem.max_acceleration = limits.max_angular_acceleration;
+  problem.max_deceleration = limits.max_angular_acceleration;
+  problem.start_speed = std::abs(w);
+  const SpeedProfile profile = OptimizeSpeed(problem);
+
+  const auto state = [&](int node) {
+    return Jet{pose.theta + sign * node * span, sign * profile.speeds[node],
+               sign * profile.accelerations[node], 0.0};
+  };
+  std::vector<TrajectoryPiece> pieces;
+  for (int i = 0; i < spans; ++i) {
+    TrajectoryPiece piece;
+    piece.kind = TrajectoryPiece::Kind::kTurn;
+    piece.duration = profile.durations[i];
+    piece.x[0] = pose.x;
+    piece.y[0] = pose.y;
+    piece.heading = HermiteQuintic(state(i), state(i + 1), piece.duration);
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+}  // namespace vfh_astar
