@@ -7,72 +7,30 @@ import signal
 import sys
 import time
 
-from driver import poses, world_file
+from driver import scene, world_file
 from driver.launched_stack import LaunchedStack, LaunchError
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
-    os.path.abspath(__file__))))
-_DEFAULT_WORLD = os.path.join(ROOT, "worlds", "hairpin.yaml")
-_OUTPUT = os.path.join(ROOT, ".workspace", "demo")
+_OUTPUT = os.path.join(scene.OUTPUT, "demo")
 
 
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="demo", description=__doc__)
     parser.add_argument("--headless", action="store_true",
                         help="no RViz, and as fast as the machine can")
-    parser.add_argument(
-        "--world", default=_DEFAULT_WORLD, metavar="FILE",
-        help="world of this package, Gazebo .world, DynaBARN or map_server "
-        "file (the hairpin)")
-    parser.add_argument("--start", type=poses.pose_argument,
-                        metavar="X,Y,YAW", help="m, m, rad (the world's own)")
-    parser.add_argument("--goal", type=poses.goal_argument,
-                        metavar="X,Y[,YAW]", help="m, m, rad (the world's own)")
+    scene.add_arguments(parser)
     parser.add_argument("--map", metavar="FILE", help="a map_server map known "
                         "beforehand (none: the robot builds it as it drives)")
-    parser.add_argument("--config", metavar="FILE",
-                        default=os.path.join(ROOT, "config", "jackal.yaml"),
-                        help="the navigation's parameters (config/jackal.yaml)")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--time-limit", type=float, default=300.0, metavar="S",
-                        help="simulated seconds (300)")
     parser.add_argument("--picture", metavar="PNG",
                         help="(.workspace/demo/<world>.png)")
-    parser.add_argument("--json", metavar="FILE",
-                        help="write the figures to a file too")
     options = parser.parse_args(arguments)
     try:
-        _complete(options)
-    except world_file.WorldFileError as error:
+        scene.complete(options, ("world", "config", "map"))
+    except (scene.SceneError, world_file.WorldFileError) as error:
         parser.error(str(error))
-    return options
-
-
-def _complete(options):
-    """Files with their whole names, and what the world says where the command
-    line does not."""
-    for name in ("world", "map", "config"):
-        file = getattr(options, name)
-        if file is None:
-            continue
-        file = os.path.abspath(file)
-        if not os.path.isfile(file):
-            raise world_file.WorldFileError(
-                "--{} {}: no such file".format(name, file))
-        setattr(options, name, file)
-    facts = world_file.read(options.world)
-    options.start = options.start or facts.start
-    if options.start is None:
-        raise world_file.WorldFileError(
-            "{} names no start; give --start X,Y,YAW".format(options.world))
-    goal = options.goal or facts.goal
-    if goal is None:
-        raise world_file.WorldFileError(
-            "{} names no goal; give --goal X,Y,YAW".format(options.world))
-    options.goal = poses.with_yaw(goal, options.start)
     if options.picture is None:
-        name = os.path.splitext(os.path.basename(options.world))[0]
-        options.picture = os.path.join(_OUTPUT, name + ".png")
+        options.picture = os.path.join(_OUTPUT,
+                                       scene.world_name(options) + ".png")
+    return options
 
 
 def launch_arguments(options):
@@ -131,7 +89,7 @@ def run(options):
     os.makedirs(_OUTPUT, exist_ok=True)
     os.makedirs(os.path.dirname(os.path.abspath(options.picture)),
                 exist_ok=True)
-    launch_file = os.path.join(ROOT, "launch", "demo.launch")
+    launch_file = os.path.join(scene.ROOT, "launch", "demo.launch")
     log = os.path.join(_OUTPUT, "roslaunch.log")
     with LaunchedStack(launch_file, launch_arguments(options), log) as stack:
         os.environ["ROS_MASTER_URI"] = stack.master_uri

@@ -35,6 +35,13 @@ def distance_from_line(point, line):
     return float(np.min(np.linalg.norm(point - nearest, axis=1)))
 
 
+def _rms_and_max(values):
+    """Nothing of nothing."""
+    if not values:
+        return None
+    return (math.sqrt(sum(v * v for v in values) / len(values)), max(values))
+
+
 @dataclass
 class PoseSample:
     time: float  # s, simulated
@@ -93,12 +100,8 @@ class DriveRecord:
     def tracking_errors(self):
         """Root mean square and greatest distance from the reference, m, over
         the samples in TRACKING; nothing without one."""
-        distances = [math.hypot(s.error[0], s.error[1])
-                     for s in self.states if s.state == "TRACKING"]
-        if not distances:
-            return None
-        return (math.sqrt(sum(d * d for d in distances) / len(distances)),
-                max(distances))
+        return _rms_and_max([math.hypot(s.error[0], s.error[1])
+                             for s in self.states if s.state == "TRACKING"])
 
     def distances_from_plan(self):
         """(simulated s, m) for each pose since the first plan: how far the robot
@@ -120,6 +123,8 @@ class DriveRecord:
     def figures(self):
         """For a table or a JSON file; None where nothing was measured."""
         errors = self.tracking_errors()
+        plan_errors = _rms_and_max(
+            [distance for _, distance in self.distances_from_plan()])
         return {
             "outcome": "success" if self.succeeded else "failure",
             "message": self.message,
@@ -130,5 +135,7 @@ class DriveRecord:
                                 else self.least_clearance),
             "rms_error_m": errors[0] if errors else None,
             "max_error_m": errors[1] if errors else None,
+            "plan_rms_m": plan_errors[0] if plan_errors else None,
+            "plan_max_m": plan_errors[1] if plan_errors else None,
             "cpu_s": self.cpu_seconds,
         }

@@ -39,17 +39,24 @@ def _draw_lines(axes, lines, color, label, width):
                   label=label)
 
 
-def _frame(axes, record):
-    """Shows what was driven and planned, not the whole of a large map."""
-    points = [np.array([record.start[:2], record.goal[:2]])]
-    points += record.plans + record.trajectories
+def _points_of(record):
+    yield np.array([record.start[:2], record.goal[:2]])
+    yield from record.plans
+    yield from record.trajectories
     if record.poses:
-        points.append(np.array([(p.x, p.y) for p in record.poses]))
-    points = np.concatenate(points)
+        yield np.array([(p.x, p.y) for p in record.poses])
+
+
+def frame(axes, records):
+    """Shows what was driven and planned, not the whole of a large map, on a
+    figure of that shape."""
+    points = np.concatenate([p for r in records for p in _points_of(r)])
     low, high = points.min(axis=0) - _MARGIN, points.max(axis=0) + _MARGIN
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
-    return (high - low)
+    width, height = high - low
+    axes.figure.set_size_inches(
+        9, min(14.0, max(4.0, 9.0 * height / width)))
 
 
 def draw_driven(axes, record, color, label):
@@ -87,8 +94,7 @@ def draw(record, file, title):
             axes.plot(outline[:, 0], outline[:, 1], color="tab:red",
                       linewidth=0.5, alpha=0.6)
             next_outline = pose.time + 1.0
-    size = _frame(axes, record)
-    figure.set_size_inches(9, min(14.0, max(4.0, 9.0 * size[1] / size[0])))
+    frame(axes, [record])
     axes.set_title(title)
     axes.legend(loc="best", fontsize=8)
     figure.savefig(file, dpi=120, bbox_inches="tight")

@@ -1,0 +1,63 @@
+"""The scene of a drive as the command line gives it: world, start and goal."""
+
+import os
+
+from driver import poses, world_file
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
+    os.path.abspath(__file__))))
+OUTPUT = os.path.join(ROOT, ".workspace")
+
+
+class SceneError(Exception):
+    """The scene is not complete or a file is not there."""
+
+
+def add_arguments(parser):
+    parser.add_argument(
+        "--world", metavar="FILE",
+        default=os.path.join(ROOT, "worlds", "hairpin.yaml"),
+        help="world of this package, Gazebo .world, DynaBARN or map_server "
+        "file (the hairpin)")
+    parser.add_argument("--start", type=poses.pose_argument,
+                        metavar="X,Y,YAW", help="m, m, rad (the world's own)")
+    parser.add_argument("--goal", type=poses.goal_argument,
+                        metavar="X,Y[,YAW]", help="m, m, rad (the world's own)")
+    parser.add_argument("--config", metavar="FILE",
+                        default=os.path.join(ROOT, "config", "jackal.yaml"),
+                        help="the navigation's parameters (config/jackal.yaml)")
+    parser.add_argument("--seed", type=int, default=1,
+                        help="of the simulator's noise (1)")
+    parser.add_argument("--time-limit", type=float, default=300.0, metavar="S",
+                        help="simulated seconds (300)")
+    parser.add_argument("--json", metavar="FILE",
+                        help="write the figures to a file too")
+
+
+def complete(options, file_options=("world", "config")):
+    """Gives files their whole names and takes from the world what the command
+    line leaves open.
+
+    Raises SceneError or world_file.WorldFileError.
+    """
+    for name in file_options:
+        file = getattr(options, name)
+        if file is None:
+            continue
+        if not os.path.isfile(file):
+            raise SceneError("--{}: there is no file {}".format(name, file))
+        setattr(options, name, os.path.abspath(file))
+    own_start, own_goal = world_file.read_start_and_goal(options.world)
+    options.start = options.start or own_start
+    goal = options.goal or own_goal
+    if options.start is None:
+        raise SceneError("{} names no start: give --start X,Y,YAW".format(
+            options.world))
+    if goal is None:
+        raise SceneError("{} names no goal: give --goal X,Y,YAW".format(
+            options.world))
+    options.goal = poses.with_yaw(goal, options.start)
+
+
+def world_name(options):
+    return os.path.splitext(os.path.basename(options.world))[0]
