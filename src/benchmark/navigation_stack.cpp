@@ -1,0 +1,90 @@
+#include "benchmark/navigation_stack.h"
+
+namespace vfh_astar {
+namespace {
+
+/// m; clearance beyond this changes neither fit nor speed.
+double ClearanceReach(const TrajectoryFitterParameters& fitter) {
+  return fitter.clearance_fast + fitter.footprint.CircumscribedRadius();
+}
+
+}  // namespace
+
+StackParameters LoadStackParameters(const std::string& file) {
+  StackParameters parameters;
+  parameters.mapper = LoadParameters<GridMapperParameters>(file, "grid_mapper");
+  parameters.planner =
+      LoadParameters<PathPlannerParameters>(file, "path_planner");
+  parameters.fitter =
+      LoadParameters<TrajectoryFitterParameters>(file, "trajectory_fitter");
+  parameters.navigator = LoadParameters<NavigatorParameters>(file, "navigator");
+  return parameters;
+}
+
+NavigationStack::NavigationStack(const StackParameters& parameters,
+                                 const Pose2D& map_from_odom)
+    : mapper_(parameters.mapper),
+      planner_(parameters.planner),
+      fitter_(parameters.fitter),
+      navigator_(parameters.navigator),
+      clearance_(parameters.navigator.occupied_threshold,
+                 ClearanceReach(parameters.fitter)),
+      map_from_odom_(map_from_odom) {
+  const OccupancyGrid map = mapper_.Map();
+  planner_.SetMap(map);
+  clearance_.SetMap(map);
+}
+
+void NavigationStack::InsertScan(const Sensing& sensing) {
+  const Pose2D odom_from_base =
+      Integrate(sensing.odom_from_base, sensing.twist,
+                sensing.scan.stamp - sensing.odometry_stamp);
+  const MapChange change = mapper_.AddScan(
+      sensing.scan, map_from_odom_ * odom_from_base * sensing.base_from_laser);
+  if (!change.inserted) return;
+  if (change.resized) {
+    const OccupancyGrid map = mapper_.Map();
+    planner_.SetMap(map);
+    clearance_.SetMap(map);
+  } else if (!change.window.empty()) {
+    const std::vector<std::int8_t> values = mapper_.Values(change.window);
+    planner_.UpdateMap(change.window, values);
+    clearance_.Update(change.window, values);
+  }
+}
+
+void NavigationStack::Answer(const MotionRequest& request) {
+  PlanResult plan = planner_.Plan(
+      {request.start.pose, request.goal, request.tolerance, path_});
+  if (plan.outcome != Outcome::kSuccess) {
+    navigator_.PlanFailed(request.id, plan.outcome, plan.message);
+    return;
+  }
+  path_ = plan.path;
+  FitResult fit =
+      fitter_.Fit({std::move(plan.path), request.start, plan.goal}, clearance_);
+  if (fit.outcome != Outcome::kSuccess) {
+    navigator_.PlanFailed(request.id, fit.outcome, fit.message);
+    return;
+  }
+  trajectory_ = fit.trajectory;
+  navigator_.SetTrajectory(request.id, std::move(fit.trajectory));
+}
+
+NavigatorOutput NavigationStack::Update(const Sensing& sensing) {
+  InsertScan(sensing);
+  NavigatorInput input;
+  input.time = sensing.scan.stamp;
+  input.map_from_odom = map_from_odom_;
+  input.odometry_stamp = sensing.odometry_stamp;
+  input.odom_from_base = sensing.odom_from_base;
+  input.twist = sensing.twist;
+  input.scan = &sensing.scan;
+  input.base_from_laser = sensing.base_from_laser;
+  input.map = &clearance_;
+  NavigatorOutput output = navigator_.Update(input);
+  if (output.request) Answer(*output.request);
+  return output;
+}
+
+}  // namespace vfh_astar

@@ -1,0 +1,72 @@
+#ifndef VFH_ASTAR_BENCHMARK_NAVIGATION_STACK_H_
+#define VFH_ASTAR_BENCHMARK_NAVIGATION_STACK_H_
+
+#include <optional>
+#include <string>
+
+#include "vfh_astar/geometry.h"
+#include "vfh_astar/grid/clearance.h"
+#include "vfh_astar/laser_scan.h"
+#include "vfh_astar/mapping/grid_mapper.h"
+#include "vfh_astar/navigation/navigator.h"
+#include "vfh_astar/planning/path_planner.h"
+#include "vfh_astar/trajectory/trajectory_fitter.h"
+
+namespace vfh_astar {
+
+/// The parameters of all stages, as a configuration file has them.
+struct StackParameters {
+  GridMapperParameters mapper;
+  PathPlannerParameters planner;
+  TrajectoryFitterParameters fitter;
+  NavigatorParameters navigator;
+};
+
+/// @throws ParameterError, see LoadParameters.
+StackParameters LoadStackParameters(const std::string& file);
+
+/// What the robot senses when a scan has been taken.
+struct Sensing {
+  LaserScan scan;
+  Pose2D base_from_laser;
+  double odometry_stamp = 0.0;  ///< s
+  Pose2D odom_from_base;
+  Twist2D twist;
+};
+
+/// Mapper, planner, fitter and navigator in one process, in the order in which
+/// the nodelets hand on their messages. An answer of planner and fitter reaches
+/// the navigator with the next scan.
+class NavigationStack {
+ public:
+  /// @param[in] map_from_odom where odometry starts in the map.
+  NavigationStack(const StackParameters& parameters,
+                  const Pose2D& map_from_odom);
+
+  void SetGoal(const Pose2D& goal) { navigator_.SetGoal("goal", goal); }
+
+  /// One cycle at the time of a scan.
+  NavigatorOutput Update(const Sensing& sensing);
+
+  const GridMapper& mapper() const { return mapper_; }
+  /// The path and the trajectory last made; empty before.
+  const std::vector<Eigen::Vector2d>& path() const { return path_; }
+  const Trajectory& trajectory() const { return trajectory_; }
+
+ private:
+  void InsertScan(const Sensing& sensing);
+  void Answer(const MotionRequest& request);
+
+  GridMapper mapper_;
+  PathPlanner planner_;
+  TrajectoryFitter fitter_;
+  Navigator navigator_;
+  ClearanceMap clearance_;
+  Pose2D map_from_odom_;
+  std::vector<Eigen::Vector2d> path_;
+  Trajectory trajectory_;
+};
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_BENCHMARK_NAVIGATION_STACK_H_
