@@ -21,6 +21,7 @@ struct TrajectoryFitterParameters {
                                   ///< one, which may cut corners).
   Footprint footprint;
   RobotLimits limits;
+  int occupied_threshold = 65;  ///< percent, of the clearance map given to Fit.
   double safety_margin = 0.02;  ///< m kept between footprint and obstacle.
   double time_per_metre = 1.0;  ///< s/m, the paper's T in t_f = T * range; for
                                 ///< `quintic`.
@@ -32,6 +33,11 @@ struct TrajectoryFitterParameters {
                                 ///< off the path for a turn on the spot.
 
   void Read(ParameterReader& reader);
+
+  /// m; more of clearance changes neither a fit nor its speeds.
+  double ClearanceReach() const {
+    return clearance_fast + footprint.CircumscribedRadius();
+  }
 };
 
 struct FitRequest {
