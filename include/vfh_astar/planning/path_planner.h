@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <atomic>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,14 +13,20 @@
 #include "vfh_astar/grid/clearance.h"
 #include "vfh_astar/outcome.h"
 #include "vfh_astar/parameters.h"
+#include "vfh_astar/planning/cost_map.h"
+#include "vfh_astar/planning/grid_search.h"
+#include "vfh_astar/planning/passage_check.h"
 
 namespace vfh_astar {
 
 struct PathPlannerParameters {
   Footprint footprint;
   int occupied_threshold = 65;    ///< percent; from here on a cell is lethal.
-  double safety_margin = 0.03;    ///< m kept between footprint and obstacle.
-  double inflation_radius = 0.8;  ///< m from an obstacle to where cost ends.
+  double safety_margin = 0.03;    ///< m between the footprint and the centres
+                                  ///< of occupied cells; half a cell or more,
+                                  ///< or what lies in a cell may be touched.
+  double inflation_radius = 0.8;  ///< m from an obstacle's cell to where its
+                                  ///< cost ends.
   double inflation_weight = 3.0;  ///< cost of a cell beside the lethal zone, in
                                   ///< multiples of a free cell's.
   std::string unknown_space = "free";  ///< forbidden, free or priced.
@@ -36,7 +42,9 @@ struct PlanRequest {
   Pose2D start;            ///< map frame.
   Pose2D goal;             ///< map frame.
   double tolerance = 0.0;  ///< m by which the goal may be moved when it is not
-                           ///< free; 0 is strict.
+                           ///< free or cannot be reached; 0 is strict.
+  std::vector<Eigen::Vector2d> previous;  ///< the path being followed, cell by
+                                          ///< cell as planned; may be empty.
 };
 
 struct PlanResult {
@@ -45,15 +53,17 @@ struct PlanResult {
   std::vector<Eigen::Vector2d> path;  ///< map frame, start to goal, cell by
                                       ///< cell; empty on failure.
   Pose2D goal;                        ///< where the path ends.
+  bool kept = false;                  ///< the path is the previous one, from
+                                      ///< where the robot is on it.
   double cost = 0.0;                  ///< m, weighted.
   std::int64_t nodes_expanded = 0;
 };
 
-/// A* over the inflated map.
+/// A* over the inflated map. One thread at a time; a caller that plans beside
+/// another one has a planner of its own.
 class PathPlanner {
  public:
   explicit PathPlanner(const PathPlannerParameters& parameters);
-  ~PathPlanner();
 
   void SetMap(const OccupancyGrid& map);
 
@@ -65,8 +75,9 @@ class PathPlanner {
 
   /// @param[in] cancelled polled; when it turns true Plan returns kCancelled
   ///   within 10 ms. May be null.
-  /// @return kSuccess, or why not: kNoMap, kStartOutsideMap, kGoalOutsideMap,
-  ///   kGoalBlocked, kNoPath, kCancelled.
+  /// @return kSuccess, or why not: kNoMap, kInvalidGoal (not finite),
+  ///   kStartOutsideMap, kGoalOutsideMap, kGoalBlocked, kNoPath, kCancelled.
+  ///   The robot's own footprint at the start never blocks a plan.
   PlanResult Plan(const PlanRequest& request,
                   const std::atomic<bool>* cancelled = nullptr);
 
@@ -76,11 +87,25 @@ class PathPlanner {
   OccupancyGrid InflatedMap() const;
 
  private:
-  class Search;
+  struct Goal {
+    Cell cell;
+    Pose2D pose;
+    bool is_moved = false;
+  };
+
+  bool IsGoalFree(const Pose2D& goal) const;
+  std::vector<Goal> GoalsNear(const PlanRequest& request) const;
+  std::optional<PlanResult> Refuse(const PlanRequest& request) const;
+  PlanResult Search(const PlanRequest& request, const std::vector<Goal>& goals,
+                    const std::atomic<bool>* cancelled);
+  PlanResult Answer(const PlanRequest& request, const Goal& goal,
+                    const SearchResult& found,
+                    const PassageCheck& passages) const;
 
   PathPlannerParameters parameters_;
   ClearanceMap clearance_;
-  std::unique_ptr<Search> search_;
+  CostMap costs_;
+  GridSearch search_;
 };
 
 }  // namespace vfh_astar

@@ -1,0 +1,80 @@
+#ifndef VFH_ASTAR_PLANNING_GRID_SEARCH_H_
+#define VFH_ASTAR_PLANNING_GRID_SEARCH_H_
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "vfh_astar/planning/bucket_queue.h"
+#include "vfh_astar/planning/cost_map.h"
+#include "vfh_astar/planning/passage_check.h"
+
+namespace vfh_astar {
+
+enum class SearchStatus { kFound, kExhausted, kCancelled };
+
+struct SearchResult {
+  SearchStatus status = SearchStatus::kExhausted;
+  std::vector<Cell> cells;  ///< start to goal; empty unless found.
+  StepCost cost = 0;
+  std::int64_t nodes_expanded = 0;
+};
+
+/// A* over a cost map: eight directions, no corner cut, octile heuristic. The
+/// path it finds has the least cost there is.
+///
+/// Its memory is eight bytes per cell of the map, taken from the system as the
+/// search first reaches them and kept. A search costs by the cells it looks at,
+/// whatever the size of the map.
+class GridSearch {
+ public:
+  GridSearch();
+
+  /// @param[in] start, goal within the map; the start is not lethal.
+  /// @param[in] passages tested for steps to cells of its TightLevel or more.
+  /// @param[in] cancelled polled; may be null.
+  SearchResult Run(const CostMap& costs, const PassageCheck& passages,
+                   const Cell& start, const Cell& goal,
+                   const std::atomic<bool>* cancelled);
+
+  /// True when the last search came to this cell. After kExhausted these are
+  /// all the cells that can be reached from its start.
+  bool IsReached(const Cell& cell) const;
+
+ private:
+  struct Node {
+    StepCost cost;             ///< from the start, as far as known.
+    std::uint16_t generation;  ///< of the search that wrote it.
+    std::uint8_t direction;    ///< of the step that led here.
+  };
+  struct Open {
+    std::uint16_t x;
+    std::uint16_t y;
+    StepCost cost;  ///< out of date when its node's is less.
+  };
+  struct Free {
+    void operator()(Node* nodes) const { std::free(nodes); }
+  };
+
+  void Prepare(const CostMap& costs);
+  void Expand(const Open& open, const CostMap& costs,
+              const PassageCheck& passages);
+  StepCost Heuristic(int x, int y) const;
+  std::vector<Cell> PathToGoal(const Cell& start) const;
+
+  GridGeometry geometry_;
+  int stride_ = 0;
+  std::unique_ptr<Node[], Free> nodes_;
+  std::uint16_t generation_ = 0;
+  BucketQueue<Open> open_;
+  // Of the present search:
+  Cell goal_;
+  StepCost goal_cost_ = 0;
+  int tight_level_ = 0;
+};
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_PLANNING_GRID_SEARCH_H_

@@ -1,0 +1,45 @@
+#ifndef VFH_ASTAR_PLANNING_PASSAGE_CHECK_H_
+#define VFH_ASTAR_PLANNING_PASSAGE_CHECK_H_
+
+#include "vfh_astar/footprint.h"
+#include "vfh_astar/geometry.h"
+#include "vfh_astar/grid/clearance.h"
+#include "vfh_astar/planning/cost_map.h"
+
+namespace vfh_astar {
+
+/// Whether the robot's rectangle fits where its circumscribed circle does not.
+///
+/// A step of the grid stands for headings up to half the angle between two
+/// directions to either side of it, since a path at any other angle is a
+/// mixture of two directions. The rectangle fits when it does so at one of
+/// these headings; a passage too narrow for the rectangle along it is refused.
+class PassageCheck {
+ public:
+  /// @param[in] footprint with what margin is wanted.
+  /// @param[in] start the robot's present pose: where it stands it fits.
+  /// @param[in] clearance outlives this object.
+  PassageCheck(const Footprint& footprint, const Pose2D& start,
+               const ClearanceMap& clearance);
+
+  /// @param[in] cell where the step ends, within the map.
+  /// @param[in] direction of the step, see kSteps.
+  bool Fits(const Cell& cell, int direction) const;
+
+  /// Cells of a lower level have room for the circumscribed circle; above
+  /// CostMap::kMaxLevel when every cell that is not lethal has.
+  int TightLevel(const CostMap& costs) const {
+    const double radius = footprint_.CircumscribedRadius();
+    if (radius <= costs.model().lethal_clearance) return CostMap::kMaxLevel + 1;
+    return costs.LevelOf(radius);
+  }
+
+ private:
+  Footprint footprint_;
+  Pose2D start_;
+  const ClearanceMap& clearance_;
+};
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_PLANNING_PASSAGE_CHECK_H_

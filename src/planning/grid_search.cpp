@@ -1,0 +1,146 @@
+#include "vfh_astar/planning/grid_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <limits>
+#include <new>
+
+namespace vfh_astar {
+namespace {
+
+constexpr StepCost kUnreached = std::numeric_limits<StepCost>::max();
+
+// The most that one step adds to the cost and to the heuristic together.
+constexpr StepCost kLongestStep =
+    2 * CostMap::kMaxLevel * kDiagonal + 2 * CostMap::kUnit * kDiagonal;
+
+// Costs beyond this would run over; at 0.05 m per cell it is a hundred
+// kilometres of free path.
+constexpr StepCost kFarthest = kUnreached / 2 - kLongestStep;
+
+// A thirty-fifth of a free step per bucket: fine enough that hardly a node is
+// expanded twice.
+constexpr int kBucketBits = 6;
+
+// Expansions between two looks at the cancel flag, well under 10 ms.
+constexpr std::int64_t kPollMask = 1023;
+
+}  // namespace
+
+GridSearch::GridSearch() : open_(kBucketBits, kLongestStep) {}
+
+void GridSearch::Prepare(const CostMap& costs) {
+  const std::size_t size = costs.levels().size();
+  if (!nodes_ || geometry_.width != costs.geometry().width ||
+      geometry_.height != costs.geometry().height) {
+    // Zeroed pages come from the system when they are first written, so a
+    // large map costs no more than the part of it that is searched.
+    nodes_.reset(static_cast<Node*>(std::calloc(size, sizeof(Node))));
+    if (!nodes_) throw std::bad_alloc();
+    generation_ = 0;
+  }
+  geometry_ = costs.geometry();
+  stride_ = costs.stride();
+  if (++generation_ == 0) {
+    std::memset(static_cast<void*>(nodes_.get()), 0, size * sizeof(Node));
+    generation_ = 1;
+  }
+}
+
+StepCost GridSearch::Heuristic(int x, int y) const {
+  const StepCost dx = std::abs(x - goal_.x);
+  const StepCost dy = std::abs(y - goal_.y);
+  constexpr StepCost kBoth = 2 * CostMap::kUnit;
+  return kBoth * (kStraight * std::max(dx, dy) +
+                  (kDiagonal - kStraight) * std::min(dx, dy));
+}
+
+SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
+                             const Cell& start, const Cell& goal,
+                             const std::atomic<bool>* cancelled) {
+  assert(costs.geometry().Contains(start) && costs.geometry().Contains(goal));
+  assert(!costs.IsLethal(start));
+  Prepare(costs);
+  goal_ = goal;
+  goal_cost_ = kUnreached;
+  tight_level_ = passages.TightLevel(costs);
+  nodes_[costs.Index(start)] = {0, generation_, 0};
+  if (start == goal) goal_cost_ = 0;
+  const StepCost first_key = Heuristic(start.x, start.y);
+  open_.Restart(first_key);
+  open_.Push(first_key, {static_cast<std::uint16_t>(start.x),
+                         static_cast<std::uint16_t>(start.y), 0});
+
+  SearchResult result;
+  while (!open_.empty() && open_.LeastKey() < goal_cost_) {
+    const Open open = open_.Pop();
+    if (nodes_[costs.Index({open.x, open.y})].cost != open.cost) continue;
+    if ((result.nodes_expanded & kPollMask) == 0 && cancelled && *cancelled) {
+      result.status = SearchStatus::kCancelled;
+      return result;
+    }
+    ++result.nodes_expanded;
+    Expand(open, costs, passages);
+  }
+  if (goal_cost_ == kUnreached) return result;
+  result.status = SearchStatus::kFound;
+  result.cost = goal_cost_;
+  result.cells = PathToGoal(start);
+  return result;
+}
+
+void GridSearch::Expand(const Open& open, const CostMap& costs,
+                        const PassageCheck& passages) {
+  if (open.cost > kFarthest) return;
+  const CostMap::Level* const levels = costs.levels().data();
+  const std::size_t index = costs.Index({open.x, open.y});
+  const CostMap::Level here = levels[index];
+  for (int direction = 0; direction < kDirections; ++direction) {
+    const Cell step = kSteps[direction];
+    const std::size_t next = index + step.y * stride_ + step.x;
+    const CostMap::Level level = levels[next];
+    if (level == CostMap::kLethal) continue;
+    const bool is_diagonal = direction % 2 != 0;
+    if (is_diagonal && (levels[index + step.x] == CostMap::kLethal ||
+                        levels[index + step.y * stride_] == CostMap::kLethal)) {
+      continue;
+    }
+    const StepCost cost = open.cost + CostOfStep(here, level, direction);
+    Node& node = nodes_[next];
+    if (node.generation == generation_ && node.cost <= cost) continue;
+    const Cell cell{open.x + step.x, open.y + step.y};
+    const StepCost key = cost + Heuristic(cell.x, cell.y);
+    if (key >= goal_cost_) continue;
+    if (level >= tight_level_ && !passages.Fits(cell, direction)) continue;
+    node = {cost, generation_, static_cast<std::uint8_t>(direction)};
+    if (cell == goal_) {
+      goal_cost_ = cost;
+    } else {
+      open_.Push(key, {static_cast<std::uint16_t>(cell.x),
+                       static_cast<std::uint16_t>(cell.y), cost});
+    }
+  }
+}
+
+std::vector<Cell> GridSearch::PathToGoal(const Cell& start) const {
+  std::vector<Cell> cells = {goal_};
+  while (cells.back() != start) {
+    const Cell& cell = cells.back();
+    const Cell& step =
+        kSteps[nodes_[static_cast<std::size_t>(cell.y + 1) * stride_ + cell.x +
+                      1]
+                   .direction];
+    cells.push_back({cell.x - step.x, cell.y - step.y});
+  }
+  std::reverse(cells.begin(), cells.end());
+  return cells;
+}
+
+bool GridSearch::IsReached(const Cell& cell) const {
+  return nodes_[static_cast<std::size_t>(cell.y + 1) * stride_ + cell.x + 1]
+             .generation == generation_;
+}
+
+}  // namespace vfh_astar
