@@ -2,9 +2,11 @@
 
 import ctypes
 import os
+import re
 import signal
 import socket
 import subprocess
+import tempfile
 import time
 import uuid
 
@@ -13,6 +15,7 @@ import uuid
 # sessions of their own.
 RUN_VARIABLE = "VFH_ASTAR_RUN"
 _PR_SET_PDEATHSIG = 1
+_TERMINAL_COLOR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class LaunchError(Exception):
@@ -55,6 +58,7 @@ class LaunchedStack:
             if value is not None:
                 self._command.append("{}:={}".format(name, value))
         self._log_file = log_file
+        self._ros_log = None  # ROS's own files, of use to nobody afterwards
         self._run_id = uuid.uuid4().hex
         self._process = None
         self.master_uri = "http://localhost:{}".format(free_port())
@@ -64,7 +68,8 @@ class LaunchedStack:
         environment = dict(os.environ)
         environment[RUN_VARIABLE] = self._run_id
         environment["ROS_MASTER_URI"] = self.master_uri
-        environment["ROS_LOG_DIR"] = os.path.dirname(self._log_file)
+        self._ros_log = tempfile.TemporaryDirectory(prefix="vfh_astar_log_")
+        environment["ROS_LOG_DIR"] = self._ros_log.name
         with open(self._log_file, "w") as log:
             self._process = subprocess.Popen(
                 self._command + ["-p", port], env=environment, stdout=log,
@@ -85,7 +90,8 @@ class LaunchedStack:
 
     def log_tail(self, lines=25):
         with open(self._log_file, errors="replace") as log:
-            return "".join(log.readlines()[-lines:])
+            text = "".join(log.readlines()[-lines:])
+        return _TERMINAL_COLOR.sub("", text)
 
     def stop(self):
         """Asks roslaunch to end, then ends what is left, more and more firmly."""
@@ -102,6 +108,7 @@ class LaunchedStack:
                 break
         self._process.wait()
         self._process = None
+        self._ros_log.cleanup()
 
     def _signal_rest(self, ending):
         """Returns whether something still runs afterwards."""
