@@ -1,7 +1,6 @@
 #include "vfh_astar/grid/clearance.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -89,27 +88,6 @@ class TileSet {
   std::vector<std::uint8_t> marked_;
 };
 
-struct Interval {
-  double low = INFINITY;
-  double high = -INFINITY;
-};
-
-/// Where a horizontal line runs within a rectangle given by its corners.
-Interval CrossSection(const std::array<Eigen::Vector2d, 4>& corners, double y) {
-  Interval section;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector2d& a = corners[i];
-    const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
-    if (std::min(a.y(), b.y()) > y || std::max(a.y(), b.y()) < y) continue;
-    const double rise = b.y() - a.y();
-    const double x =
-        rise == 0.0 ? b.x() : a.x() + (y - a.y()) / rise * (b.x() - a.x());
-    section.low = std::min(section.low, x);
-    section.high = std::max(section.high, x);
-  }
-  return section;
-}
-
 }  // namespace
 
 ClearanceMap::ClearanceMap(int occupied_threshold, double max_distance)
@@ -186,14 +164,16 @@ void ClearanceMap::Recompute(const cv::Rect& window) {
   }
 }
 
-bool ClearanceMap::IsRowFree(int y, int first, int last) const {
-  const std::size_t row = geometry().Index({0, y});
-  for (int x = first; x <= last;) {
-    const float clear = distance_.cells()[row + x];
-    if (clear <= 0.0f) return false;
+bool ClearanceMap::IsRowFree(const CellRow& row) const {
+  if (row.y < 0 || row.y >= geometry().height) return true;
+  const float* const clear =
+      distance_.cells().data() + geometry().Index({0, row.y});
+  const float cells_per_metre = static_cast<float>(1.0 / geometry().resolution);
+  const int last = std::min(row.last, geometry().width - 1);
+  for (int x = std::max(row.first, 0); x <= last;) {
+    if (clear[x] <= 0.0f) return false;
     // No cell nearer than the clearance is occupied: go on where one may be.
-    const double step = clear / geometry().resolution;
-    x += std::max(1, static_cast<int>(std::ceil(step - 1e-3)));
+    x += std::max(1, static_cast<int>(clear[x] * cells_per_metre + 0.999f));
   }
   return true;
 }
@@ -201,39 +181,23 @@ bool ClearanceMap::IsRowFree(int y, int first, int last) const {
 bool ClearanceMap::IsFree(const Footprint& footprint, const Pose2D& pose,
                           double margin) const {
   const Footprint grown = footprint.Grown(margin);
-  const Cell centre = geometry().ToCell(pose.position());
-  if (geometry().Contains(centre)) {
+  const Cell cell = geometry().ToCell(pose.position());
+  const Eigen::Vector2d offset = pose.position() - geometry().ToWorld(cell);
+  if (geometry().Contains(cell)) {
     // The clearance holds for the cell's centre, the pose lies off it.
-    const double offset = (geometry().ToWorld(centre) - pose.position()).norm();
-    const double clear = At(centre);
-    if (clear - offset > grown.CircumscribedRadius()) return true;
+    const double clear = At(cell);
+    if (clear - offset.norm() > grown.CircumscribedRadius()) return true;
     const bool is_saturated = clear >= static_cast<float>(max_distance_);
-    if (!is_saturated && clear + offset < grown.InscribedRadius()) {
+    if (!is_saturated && clear + offset.norm() < grown.InscribedRadius()) {
       return false;
     }
   }
-  // In cell units with cell centres at whole numbers.
-  std::array<Eigen::Vector2d, 4> corners = grown.Corners();
-  double lowest = INFINITY;
-  double highest = -INFINITY;
-  for (Eigen::Vector2d& corner : corners) {
-    corner = ((pose * corner) - geometry().origin) / geometry().resolution -
-             Eigen::Vector2d(0.5, 0.5);
-    lowest = std::min(lowest, corner.y());
-    highest = std::max(highest, corner.y());
-  }
-  const int y_first = std::max(0, static_cast<int>(std::ceil(lowest)));
-  const int y_last =
-      std::min(geometry().height - 1, static_cast<int>(std::floor(highest)));
-  for (int y = y_first; y <= y_last; ++y) {
-    const Interval inside = CrossSection(corners, y);
-    const int first =
-        std::max(0, static_cast<int>(std::ceil(inside.low - 1e-9)));
-    const int last = std::min(geometry().width - 1,
-                              static_cast<int>(std::floor(inside.high + 1e-9)));
-    if (first <= last && !IsRowFree(y, first, last)) return false;
-  }
-  return true;
+  return VisitFootprintRows(
+      grown, {offset, pose.theta}, geometry().resolution,
+      [this, &cell](const CellRow& row) {
+        return IsRowFree(
+            {row.y + cell.y, row.first + cell.x, row.last + cell.x});
+      });
 }
 
 }  // namespace vfh_astar

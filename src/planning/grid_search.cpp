@@ -27,6 +27,35 @@ constexpr int kBucketBits = 6;
 // Expansions between two looks at the cancel flag, well under 10 ms.
 constexpr std::int64_t kPollMask = 1023;
 
+// Stands for the step that led to the start.
+constexpr std::uint8_t kNoDirection = kDirections;
+
+/// The directions that lead back beside or onto the cell before, as bits. Each
+/// of these neighbours is one straight step from that cell, which costs no
+/// more than the way round.
+unsigned Behind(int direction) {
+  if (direction == kNoDirection) return 0;
+  constexpr unsigned kThreeBack = 0b00111000;
+  return (kThreeBack << direction | kThreeBack << direction >> kDirections) &
+         0xff;
+}
+
+/// The directions in which a step is open, as bits.
+unsigned OpenDirections(const CostMap::Level* at, int stride) {
+  const unsigned east = at[1] != CostMap::kLethal;
+  const unsigned north = at[stride] != CostMap::kLethal;
+  const unsigned west = at[-1] != CostMap::kLethal;
+  const unsigned south = at[-stride] != CostMap::kLethal;
+  const unsigned north_east = at[stride + 1] != CostMap::kLethal;
+  const unsigned north_west = at[stride - 1] != CostMap::kLethal;
+  const unsigned south_west = at[-stride - 1] != CostMap::kLethal;
+  const unsigned south_east = at[-stride + 1] != CostMap::kLethal;
+  return east | (north_east & north & east) << 1 | north << 2 |
+         (north_west & north & west) << 3 | west << 4 |
+         (south_west & south & west) << 5 | south << 6 |
+         (south_east & south & east) << 7;
+}
+
 }  // namespace
 
 GridSearch::GridSearch() : open_(kBucketBits, kLongestStep) {}
@@ -66,7 +95,7 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   goal_ = goal;
   goal_cost_ = kUnreached;
   tight_level_ = passages.TightLevel(costs);
-  nodes_[costs.Index(start)] = {0, generation_, 0};
+  nodes_[costs.Index(start)] = {0, generation_, kNoDirection};
   if (start == goal) goal_cost_ = 0;
   const StepCost first_key = Heuristic(start.x, start.y);
   open_.Restart(first_key);
@@ -94,21 +123,21 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
 void GridSearch::Expand(const Open& open, const CostMap& costs,
                         const PassageCheck& passages) {
   if (open.cost > kFarthest) return;
-  const CostMap::Level* const levels = costs.levels().data();
   const std::size_t index = costs.Index({open.x, open.y});
-  const CostMap::Level here = levels[index];
-  for (int direction = 0; direction < kDirections; ++direction) {
+  const CostMap::Level* const levels = costs.levels().data() + index;
+  const CostMap::Level here = levels[0];
+  const unsigned behind = Behind(nodes_[index].direction);
+  for (unsigned left = OpenDirections(levels, stride_); left != 0;
+       left &= left - 1) {
+    const int direction = __builtin_ctz(left);
     const Cell step = kSteps[direction];
-    const std::size_t next = index + step.y * stride_ + step.x;
-    const CostMap::Level level = levels[next];
-    if (level == CostMap::kLethal) continue;
-    const bool is_diagonal = direction % 2 != 0;
-    if (is_diagonal && (levels[index + step.x] == CostMap::kLethal ||
-                        levels[index + step.y * stride_] == CostMap::kLethal)) {
-      continue;
-    }
+    const std::ptrdiff_t offset = step.y * stride_ + step.x;
+    const CostMap::Level level = levels[offset];
+    // The step before went straight to what lies behind for less; only where
+    // the rectangle did not fit on that way it may do so on this one.
+    if ((behind >> direction & 1) != 0 && level < tight_level_) continue;
     const StepCost cost = open.cost + CostOfStep(here, level, direction);
-    Node& node = nodes_[next];
+    Node& node = nodes_[index + offset];
     if (node.generation == generation_ && node.cost <= cost) continue;
     const Cell cell{open.x + step.x, open.y + step.y};
     const StepCost key = cost + Heuristic(cell.x, cell.y);

@@ -7,6 +7,7 @@
 
 #include "vfh_astar/footprint.h"
 #include "vfh_astar/geometry.h"
+#include "vfh_astar/grid/footprint_rows.h"
 #include "vfh_astar/grid/grid.h"
 
 namespace vfh_astar {
@@ -61,9 +62,11 @@ class ClearanceMap {
   bool IsFree(const Footprint& footprint, const Pose2D& pose,
               double margin) const;
 
+  /// True when no cell of a row is occupied; cells outside the map are not.
+  bool IsRowFree(const CellRow& row) const;
+
  private:
   void Recompute(const cv::Rect& window);
-  bool IsRowFree(int y, int first, int last) const;
 
   /// Cells that an obstacle reaches: max_distance, rounded up.
   int Reach() const;

@@ -1,6 +1,9 @@
 #ifndef VFH_ASTAR_PLANNING_PASSAGE_CHECK_H_
 #define VFH_ASTAR_PLANNING_PASSAGE_CHECK_H_
 
+#include <array>
+#include <vector>
+
 #include "vfh_astar/footprint.h"
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/grid/clearance.h"
@@ -18,7 +21,7 @@ class PassageCheck {
  public:
   /// @param[in] footprint with what margin is wanted.
   /// @param[in] start the robot's present pose: where it stands it fits.
-  /// @param[in] clearance outlives this object.
+  /// @param[in] clearance has its map, and outlives this object.
   PassageCheck(const Footprint& footprint, const Pose2D& start,
                const ClearanceMap& clearance);
 
@@ -35,7 +38,16 @@ class PassageCheck {
   }
 
  private:
+  // The rectangle over a cell's centre at headings of a quarter of the angle
+  // between two directions.
+  static constexpr int kHeadingsPerDirection = 4;
+  static constexpr int kHeadings = kDirections * kHeadingsPerDirection;
+
+  bool FitsAt(const Cell& cell, int heading) const;
+
   Footprint footprint_;
+  double circumscribed_radius_;
+  std::array<std::vector<CellRow>, kHeadings> rows_;
   Pose2D start_;
   const ClearanceMap& clearance_;
 };

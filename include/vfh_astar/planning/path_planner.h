@@ -22,7 +22,7 @@ namespace vfh_astar {
 struct PathPlannerParameters {
   Footprint footprint;
   int occupied_threshold = 65;    ///< percent; from here on a cell is lethal.
-  double safety_margin = 0.03;    ///< m between the footprint and the centres
+  double safety_margin = 0.05;    ///< m between the footprint and the centres
                                   ///< of occupied cells; half a cell or more,
                                   ///< or what lies in a cell may be touched.
   double inflation_radius = 0.8;  ///< m from an obstacle's cell to where its

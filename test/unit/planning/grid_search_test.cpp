@@ -13,14 +13,19 @@
 namespace vfh_astar {
 namespace {
 
-/// What a search needs to know, for a round robot or a long one.
+ClearanceMap ClearanceOf(const OccupancyGrid& map) {
+  ClearanceMap clearance(65, 3.0);
+  clearance.SetMap(map);
+  return clearance;
+}
+
+/// What a search needs to know.
 struct Scene {
   Scene(const OccupancyGrid& map, const CostModel& model,
         const Footprint& footprint)
-      : clearance(65, 3.0),
+      : clearance(ClearanceOf(map)),
         costs(model),
         passages(footprint, {-100.0, -100.0, 0.0}, clearance) {
-    clearance.SetMap(map);
     costs.SetMap(clearance);
   }
 

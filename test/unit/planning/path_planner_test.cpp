@@ -126,7 +126,9 @@ TEST(PathPlanner, PassesWhereverTheRobotFits) {
     const double gap = free_cells * kResolution;
     Fill(3.0, 0.0, 5.0, 2.0, map);
     Fill(3.0, 2.0 + gap, 5.0, 5.0, map);
-    return PlannerOn(map)
+    PathPlannerParameters parameters;
+    parameters.safety_margin = 0.03;
+    return PlannerOn(map, parameters)
         .Plan(FromTo({1.0, 2.2, 0.0}, {7.0, 2.2, 0.0}))
         .outcome;
   };
@@ -144,7 +146,7 @@ TEST(PathPlanner, MovesABlockedGoalWithinTheTolerance) {
   const PlanResult moved = planner.Plan(FromTo(start, at_wall, 0.5));
   ASSERT_EQ(moved.outcome, Outcome::kSuccess) << moved.message;
   // The wall's cell centre is at 5.975; the rectangle's front with its margin
-  // (0.229 + 0.03) must stay short of it.
+  // (0.229 + 0.05) must stay short of it.
   EXPECT_NEAR(moved.goal.x, 5.675, 1e-9);
   EXPECT_NE(moved.message.find("moved by 0.2"), std::string::npos)
       << moved.message;
