@@ -1,0 +1,297 @@
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <message_filters/subscriber.h>
+#include <nav_msgs/GetMap.h>
+#include <nodelet/nodelet.h>
+#include <std_msgs/Float64.h>
+#include <std_srvs/Empty.h>
+#include <tf2_ros/message_filter.h>
+#include <tf2_ros/transform_broadcaster.h>
+#include <tf2_ros/transform_listener.h>
+#include <vfh_astar/SaveMap.h>
+
+#include <memory>
+#include <optional>
+#include <pluginlib/class_list_macros.hpp>
+#include <string>
+
+#include "vfh_astar/grid/map_file.h"
+#include "vfh_astar/mapping/grid_mapper.h"
+#include "vfh_astar/ros/frame_names.h"
+#include "vfh_astar/ros/geometry_messages.h"
+#include "vfh_astar/ros/map_messages.h"
+#include "vfh_astar/ros/message_error.h"
+#include "vfh_astar/ros/ros_parameter_reader.h"
+#include "vfh_astar/ros/scan_messages.h"
+
+namespace vfh_astar {
+namespace {
+
+// Scans that wait for their transform at the most: half a second of them at
+// 40 Hz.
+constexpr int kWaitingScans = 20;
+
+struct GridMapperNodeletParameters {
+  GridMapperParameters mapper;
+  FrameNames frames;
+  std::string map_file;              ///< yaml; empty: the map begins unknown.
+  double map_update_interval = 5.0;  ///< s between two whole maps.
+  double transform_publish_period = 0.05;  ///< s
+  Pose2D initial_pose;  ///< of the robot in the map, at the first scan.
+
+  void Read(ParameterReader& reader) {
+    mapper.Read(reader);
+    frames.Read(reader);
+    reader.Text("map_file", map_file);
+    reader.Number("map_update_interval", map_update_interval, 0.1, 3600.0);
+    reader.Number("transform_publish_period", transform_publish_period, 0.005,
+                  1.0);
+    reader.Number("initial_pose_x", initial_pose.x, -1e4, 1e4);
+    reader.Number("initial_pose_y", initial_pose.y, -1e4, 1e4);
+    reader.Number("initial_pose_a", initial_pose.theta, -10.0, 10.0);
+  }
+};
+
+}  // namespace
+
+/// Scans and tf in; the map and the transform from map to odom out.
+class GridMapperNodelet : public nodelet::Nodelet {
+ private:
+  using ScanFilter = tf2_ros::MessageFilter<sensor_msgs::LaserScan>;
+
+  void onInit() override {
+    parameters_ =
+        ReadParameters<GridMapperNodeletParameters>(getPrivateNodeHandle());
+    LoadMapFile();
+    Advertise();
+    Begin();
+    Listen();
+  }
+
+  void LoadMapFile() {
+    if (parameters_.map_file.empty()) return;
+    try {
+      known_map_ = LoadMap(parameters_.map_file);
+    } catch (const MapFileError& error) {
+      NODELET_FATAL("%s", error.what());
+      throw;
+    }
+  }
+
+  void Advertise() {
+    ros::NodeHandle& node = getNodeHandle();
+    map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
+    metadata_publisher_ =
+        node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
+    update_publisher_ =
+        node.advertise<map_msgs::OccupancyGridUpdate>("map_updates", 100);
+    entropy_publisher_ =
+        getPrivateNodeHandle().advertise<std_msgs::Float64>("entropy", 1, true);
+    services_ = {
+        node.advertiseService("dynamic_map", &GridMapperNodelet::OnGetMap,
+                              this),
+        node.advertiseService("save_map", &GridMapperNodelet::OnSaveMap, this),
+        node.advertiseService("clear_costmaps", &GridMapperNodelet::OnClear,
+                              this),
+        // Where clients of move_base look for it.
+        node.advertiseService("move_base/clear_costmaps",
+                              &GridMapperNodelet::OnClear, this)};
+  }
+
+  void Listen() {
+    ros::NodeHandle& node = getNodeHandle();
+    listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node);
+    scan_subscriber_.subscribe(node, "front/scan", kWaitingScans,
+                               ros::TransportHints().tcpNoDelay());
+    filter_ = std::make_unique<ScanFilter>(scan_subscriber_, transforms_,
+                                           parameters_.frames.odom_frame,
+                                           kWaitingScans, node);
+    filter_->registerCallback(
+        [this](const sensor_msgs::LaserScanConstPtr& scan) { OnScan(*scan); });
+    filter_->registerFailureCallback(
+        [this](const sensor_msgs::LaserScanConstPtr& scan,
+               tf2_ros::filter_failure_reasons::FilterFailureReason) {
+          OnScanWithoutTransform(scan->header.frame_id);
+        });
+    transform_timer_ = node.createTimer(
+        ros::Duration(parameters_.transform_publish_period),
+        [this](const ros::TimerEvent&) { PublishTransform(); });
+    map_timer_ = node.createTimer(
+        ros::Duration(parameters_.map_update_interval),
+        [this](const ros::TimerEvent&) {
+          if (is_map_old_ && map_publisher_.getNumSubscribers() > 0) {
+            PublishMap();
+          }
+        });
+    diagnostics_ = std::make_unique<diagnostic_updater::Updater>(
+        node, getPrivateNodeHandle(), getName());
+    diagnostics_->setHardwareID("none");
+    diagnostics_->add("scans", this, &GridMapperNodelet::Diagnose);
+    diagnostics_timer_ = node.createWallTimer(
+        ros::WallDuration(1.0),
+        [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
+  }
+
+  /// The map as it is before the first scan.
+  void Begin() {
+    mapper_ = std::make_unique<GridMapper>(parameters_.mapper);
+    if (known_map_) mapper_->SetMap(*known_map_);
+    stamp_ = ros::Time();
+    PublishMap();
+  }
+
+  void OnScan(const sensor_msgs::LaserScan& message) {
+    try {
+      const LaserMount mount = ToLaserMount(TransformToOdom(
+          WithoutSlash(message.header.frame_id), message.header.stamp));
+      const LaserScan scan = ToLaserScan(message, mount.upside_down);
+      if (const auto defect = DescribeDefect(scan)) throw MessageError(*defect);
+      if (message.header.stamp + ros::Duration(1.0) < stamp_) {
+        NODELET_WARN("time went back: the map begins anew");
+        map_from_odom_.reset();
+        Begin();
+      }
+      if (!map_from_odom_) PlaceOdometry(message.header.stamp);
+      Insert(scan, *map_from_odom_ * mount.pose, message.header.stamp);
+    } catch (const MessageError& error) {
+      ++unusable_scans_;
+      NODELET_WARN_THROTTLE(10.0, "a scan is dropped: %s", error.what());
+    } catch (const tf2::TransformException& error) {
+      OnScanWithoutTransform(message.header.frame_id);
+    }
+  }
+
+  geometry_msgs::Transform TransformToOdom(const std::string& frame,
+                                           const ros::Time& stamp) const {
+    return transforms_
+        .lookupTransform(parameters_.frames.odom_frame, frame, stamp)
+        .transform;
+  }
+
+  /// Wherever odometry is by now, the robot is at its initial pose.
+  void PlaceOdometry(const ros::Time& stamp) {
+    const Pose2D odom_from_base =
+        ToPose2D(TransformToOdom(parameters_.frames.base_frame, stamp));
+    map_from_odom_ = parameters_.initial_pose * odom_from_base.Inverse();
+    PublishTransform();
+  }
+
+  void Insert(const LaserScan& scan, const Pose2D& laser_pose,
+              const ros::Time& stamp) {
+    ++scans_;
+    const MapChange change = mapper_->AddScan(scan, laser_pose);
+    if (!change.inserted) return;
+    stamp_ = stamp;
+    is_map_old_ = true;
+    if (change.resized) {
+      PublishMap();
+    } else if (!change.window.empty()) {
+      update_publisher_.publish(
+          ToUpdateMessage(change.window, mapper_->Values(change.window),
+                          parameters_.frames.map_frame, stamp));
+    }
+  }
+
+  void OnScanWithoutTransform(const std::string& frame) {
+    ++waited_scans_;
+    NODELET_WARN_THROTTLE(
+        10.0, "scans are dropped: no transform from %s to %s at their time",
+        frame.c_str(), parameters_.frames.odom_frame.c_str());
+  }
+
+  void PublishTransform() {
+    if (!map_from_odom_) return;
+    geometry_msgs::TransformStamped transform;
+    transform.header.frame_id = parameters_.frames.map_frame;
+    // It holds until the next one comes, as gmapping's does.
+    transform.header.stamp =
+        ros::Time::now() + ros::Duration(parameters_.transform_publish_period);
+    transform.child_frame_id = parameters_.frames.odom_frame;
+    transform.transform = ToTransformMessage(*map_from_odom_);
+    broadcaster_.sendTransform(transform);
+  }
+
+  void PublishMap() {
+    const nav_msgs::OccupancyGridPtr map =
+        boost::make_shared<nav_msgs::OccupancyGrid>(
+            ToMapMessage(mapper_->Map(), parameters_.frames.map_frame, stamp_));
+    map_publisher_.publish(map);
+    metadata_publisher_.publish(map->info);
+    if (entropy_publisher_.getNumSubscribers() > 0) {
+      std_msgs::Float64 entropy;
+      entropy.data = mapper_->Entropy();
+      entropy_publisher_.publish(entropy);
+    }
+    is_map_old_ = false;
+  }
+
+  bool OnGetMap(nav_msgs::GetMap::Request&,
+                nav_msgs::GetMap::Response& answer) {
+    answer.map =
+        ToMapMessage(mapper_->Map(), parameters_.frames.map_frame, stamp_);
+    return true;
+  }
+
+  bool OnSaveMap(SaveMap::Request& request, SaveMap::Response& answer) {
+    try {
+      vfh_astar::SaveMap(mapper_->Map(), request.stem);
+      answer.success = true;
+      answer.message =
+          "wrote " + request.stem + ".yaml and " + request.stem + ".pgm";
+    } catch (const MapFileError& error) {
+      answer.message = error.what();
+    }
+    return true;
+  }
+
+  /// What was seen is forgotten, as by move_base; what is still there comes
+  /// back with the next scans.
+  bool OnClear(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+    const ros::Time stamp = stamp_;
+    Begin();
+    stamp_ = stamp;
+    return true;
+  }
+
+  void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+    using diagnostic_msgs::DiagnosticStatus;
+    if (scans_ == 0) {
+      status.summary(DiagnosticStatus::WARN, "no scan used yet");
+    } else {
+      status.summary(DiagnosticStatus::OK, "mapping");
+    }
+    status.add("scans used", scans_);
+    status.add("scans dropped, no transform", waited_scans_);
+    status.add("scans dropped, unusable", unusable_scans_);
+    status.add("map width [cells]", mapper_->geometry().width);
+    status.add("map height [cells]", mapper_->geometry().height);
+  }
+
+  GridMapperNodeletParameters parameters_;
+  std::optional<OccupancyGrid> known_map_;
+  std::unique_ptr<GridMapper> mapper_;
+  std::optional<Pose2D> map_from_odom_;
+  ros::Time stamp_;  ///< of the newest scan in the map.
+  bool is_map_old_ = false;
+  int scans_ = 0;
+  int waited_scans_ = 0;
+  int unusable_scans_ = 0;
+
+  tf2_ros::Buffer transforms_;
+  std::unique_ptr<tf2_ros::TransformListener> listener_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
+  ros::Publisher map_publisher_;
+  ros::Publisher metadata_publisher_;
+  ros::Publisher update_publisher_;
+  ros::Publisher entropy_publisher_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Timer transform_timer_;
+  ros::Timer map_timer_;
+  ros::WallTimer diagnostics_timer_;
+  message_filters::Subscriber<sensor_msgs::LaserScan> scan_subscriber_;
+  std::unique_ptr<ScanFilter> filter_;
+};
+
+}  // namespace vfh_astar
+
+PLUGINLIB_EXPORT_CLASS(vfh_astar::GridMapperNodelet, nodelet::Nodelet)
