@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "vfh_astar/trajectory/curve_smoother.h"
 
@@ -15,7 +16,11 @@ constexpr int kMinIntervals = 8;      // what the smoother needs.
 constexpr double kMaxRadius = 1.0;    // m of a bubble.
 constexpr double kShare = 0.6;        // of the room beyond what is needed.
 constexpr double kSweepStep = 0.015;  // m that a corner moves between looks.
-constexpr int kMaxTightenings = 8;
+// 1/m; a sharper bend is a cusp, which a turn on the spot takes faster.
+constexpr double kMaxCurvature = 12.0;
+constexpr int kMaxTightenings = 12;
+constexpr double kTightening = 0.4;
+constexpr double kLeastRadius = 0.01;  // m
 constexpr double kTightenReach = 0.3;  // m about a collision, either way.
 
 double CornerMotion(const CurvePoint& a, const CurvePoint& b, double radius) {
@@ -55,21 +60,43 @@ std::vector<std::size_t> BlockedSpans(const std::vector<CurvePoint>& points,
   return blocked;
 }
 
-void Tighten(std::vector<Bubble>& bubbles, double spacing,
-             const std::vector<std::size_t>& blocked, int round) {
+// 1/m, as the curve shows it at the points and between them: at a cusp that
+// folds back along itself the points see none.
+double CurvatureOf(const CurvePoint& before, const CurvePoint& point) {
+  const double turn = std::abs(NormalizeAngle(point.heading - before.heading));
+  return std::max(std::abs(point.curvature), turn / point.length);
+}
+
+std::optional<Eigen::Vector2d> FindCusp(const std::vector<CurvePoint>& points) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (CurvatureOf(points[i - 1], points[i]) > kMaxCurvature) {
+      return points[i].position;
+    }
+  }
+  return std::nullopt;
+}
+
+// Shrinks the bubbles about the blocked spans; a bubble that would become very
+// small vanishes. False when there is nothing left to shrink about one of them.
+bool Tighten(std::vector<Bubble>& bubbles, double spacing,
+             const std::vector<CurvePoint>& points,
+             const std::vector<std::size_t>& blocked) {
   const int reach = static_cast<int>(std::ceil(kTightenReach / spacing));
-  const double factor = round + 2 < kMaxTightenings ? 0.5 : 0.0;
-  std::vector<bool> done(bubbles.size(), false);
+  const std::vector<Bubble> before = bubbles;
   for (const std::size_t span : blocked) {
-    const int knot = static_cast<int>(span) / LegFitter::kPointsPerInterval;
+    const int knot = static_cast<int>(points[span].knot);
     const int first = std::max(0, knot - reach);
     const int last =
         std::min(static_cast<int>(bubbles.size()) - 1, knot + 1 + reach);
+    double largest = 0.0;
     for (int i = first; i <= last; ++i) {
-      if (!done[i]) bubbles[i].radius *= factor;
-      done[i] = true;
+      largest = std::max(largest, before[i].radius);
+      bubbles[i].radius = kTightening * before[i].radius;
+      if (bubbles[i].radius < kLeastRadius) bubbles[i].radius = 0.0;
     }
+    if (largest == 0.0) return false;
   }
+  return true;
 }
 
 }  // namespace
@@ -100,15 +127,18 @@ LegResult LegFitter::Fit(const LegRequest& request) const {
   for (int round = 0; round <= kMaxTightenings; ++round) {
     result.points =
         SmoothThroughBubbles(request.start, request.end, spacing, bubbles)
-            .Sample(kPointsPerInterval);
+            .Sample();
+    result.effort += length;
     const std::vector<std::size_t> blocked =
         BlockedSpans(result.points, request.reverse, check_);
     if (blocked.empty()) {
-      result.free = true;
+      const std::optional<Eigen::Vector2d> cusp = FindCusp(result.points);
+      result.free = !cusp;
+      result.blocked_at = cusp.value_or(result.blocked_at);
       return result;
     }
     result.blocked_at = result.points[blocked.front()].position;
-    Tighten(bubbles, spacing, blocked, round);
+    if (!Tighten(bubbles, spacing, result.points, blocked)) break;
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #include "vfh_astar/trajectory/manoeuvre.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -8,9 +9,12 @@
 namespace vfh_astar {
 namespace {
 
-// Legs that may be tried for one manoeuvre; it bounds the time that a hopeless
-// path takes.
-constexpr int kMaxLegs = 80;
+// m of curves that may be fitted for one way of leaving and arriving, and for
+// all of them, before a path counts as hopeless: they bound the time it takes.
+constexpr double kFindEffort = 250.0;
+constexpr double kMaxEffort = 1000.0;
+// m from a leg's end within which a collision is the end's fault.
+constexpr double kEndReach = 0.5;
 // m between places along the path that are tried for a turn.
 constexpr double kPlaceSpacing = 0.1;
 // m from where a leg was blocked to where a stop is looked for.
@@ -32,6 +36,12 @@ double LastDirection(const Polyline& line) {
   return Direction(line[line.size() - 2], line.back());
 }
 
+// The end of a leg along a line, with the line's own heading if none is given.
+CurveEnd EndAlong(const Polyline& line,
+                  std::optional<double> heading = std::nullopt) {
+  return {line.back(), heading.value_or(LastDirection(line)), 0.0};
+}
+
 void Append(Manoeuvre& manoeuvre, const Manoeuvre& more) {
   manoeuvre.insert(manoeuvre.end(), more.begin(), more.end());
 }
@@ -48,6 +58,18 @@ std::vector<double> PlacesAround(double centre, double reach, double length) {
     }
   }
   return places;
+}
+
+// The path up to its point nearest to `end`, which lies off it.
+Polyline PathTo(const Eigen::Vector2d& end, const Polyline& path) {
+  const auto nearest = std::min_element(
+      path.begin() + 1, path.end(),
+      [&end](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return (a - end).squaredNorm() < (b - end).squaredNorm();
+      });
+  Polyline way(path.begin(), nearest);
+  way.push_back(end);
+  return way;
 }
 
 // m along the path to the point of it that is nearest to `point`.
@@ -85,7 +107,8 @@ ManoeuvreFinder::ManoeuvreFinder(const PoseCheck& check,
     : check_(check),
       parameters_(parameters),
       fitter_(check, parameters.fast_room),
-      legs_left_(kMaxLegs) {}
+      effort_left_(0.0),
+      total_effort_left_(kMaxEffort) {}
 
 Polyline ManoeuvreFinder::Shorten(const Polyline& path) const {
   ShorteningLimits limits;
@@ -105,23 +128,58 @@ std::optional<Turn> ManoeuvreFinder::FindTurn(const Pose2D& pose,
   return std::nullopt;
 }
 
+ManoeuvreFinder::LegEnd ManoeuvreFinder::StartOf(const Polyline& line,
+                                                 const CurveEnd& start,
+                                                 bool reverse) {
+  return {start, SplitAt(line, kEndReach).after.front(), true, reverse};
+}
+
+ManoeuvreFinder::LegEnd ManoeuvreFinder::EndOf(const Polyline& line,
+                                               const CurveEnd& end,
+                                               bool reverse) {
+  const double inward = std::max(0.0, Length(line) - kEndReach);
+  return {end, SplitAt(line, inward).after.front(), false, reverse};
+}
+
+bool ManoeuvreFinder::IsHopeless(const LegEnd& end) const {
+  const double heading = end.end.heading + (end.reverse ? kPi : 0.0);
+  if (!check_.IsFree({end.end.position, heading})) return true;
+  constexpr double kSamePlace = 0.01;    // m
+  constexpr double kSameLine = 0.05;     // m
+  constexpr double kSameHeading = 0.05;  // rad
+  return std::any_of(
+      hopeless_.begin(), hopeless_.end(), [&end](const LegEnd& known) {
+        return known.is_start == end.is_start && known.reverse == end.reverse &&
+               (known.end.position - end.end.position).norm() < kSamePlace &&
+               (known.beyond - end.beyond).norm() < kSameLine &&
+               std::abs(NormalizeAngle(known.end.heading - end.end.heading)) <
+                   kSameHeading;
+      });
+}
+
 std::optional<Leg> ManoeuvreFinder::FitLeg(const Polyline& line,
                                            const CurveEnd& start,
-                                           std::optional<double> end_heading,
-                                           bool reverse) {
-  if (legs_left_ == 0) return std::nullopt;
-  --legs_left_;
-  LegRequest request;
-  request.line = line;
-  request.start = start;
-  request.end = {line.back(), end_heading.value_or(LastDirection(line)), 0.0};
-  request.reverse = reverse;
-  LegResult result = fitter_.Fit(request);
-  if (!result.free) {
-    blocked_at_ = result.blocked_at;
-    return std::nullopt;
+                                           const CurveEnd& end, bool reverse) {
+  if (total_effort_left_ <= 0.0) return std::nullopt;
+  const std::array<LegEnd, 2> ends = {StartOf(line, start, reverse),
+                                      EndOf(line, end, reverse)};
+  for (const LegEnd& each : ends) {
+    if (IsHopeless(each)) {
+      blocked_at_ = each.end.position;
+      return std::nullopt;
+    }
   }
-  return Leg{std::move(result.points), reverse};
+  LegResult result = fitter_.Fit({line, start, end, reverse});
+  effort_left_ -= result.effort;
+  total_effort_left_ -= result.effort;
+  if (result.free) return Leg{std::move(result.points), reverse};
+  blocked_at_ = result.blocked_at;
+  for (const LegEnd& each : ends) {
+    if ((each.end.position - result.blocked_at).norm() < kEndReach) {
+      hopeless_.push_back(each);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Manoeuvre> ManoeuvreFinder::Drive(
@@ -132,7 +190,8 @@ std::optional<Manoeuvre> ManoeuvreFinder::Drive(
   line.insert(line.end(), shortened.begin(), shortened.end());
   const Pose2D& pose = departure.pose;
   const CurveEnd start{pose.position(), pose.theta, departure.curvature};
-  const std::optional<Leg> leg = FitLeg(line, start, end_heading, false);
+  const std::optional<Leg> leg =
+      FitLeg(line, start, EndAlong(line, end_heading), false);
   if (leg) return Manoeuvre{*leg};
   return DriveWithStop(departure, path, end_heading);
 }
@@ -140,11 +199,20 @@ std::optional<Manoeuvre> ManoeuvreFinder::Drive(
 std::optional<Manoeuvre> ManoeuvreFinder::DriveWithStop(
     const Departure& departure, const Polyline& path,
     std::optional<double> end_heading) {
-  if (!blocked_at_) return std::nullopt;
+  // A stop on the way does not help an end.
+  const CurveEnd start{departure.pose.position(), departure.pose.theta,
+                       departure.curvature};
+  Polyline whole = departure.lead;
+  const Polyline shortened = Shorten(path);
+  whole.insert(whole.end(), shortened.begin(), shortened.end());
+  if (IsHopeless(StartOf(whole, start, false)) ||
+      IsHopeless(EndOf(whole, EndAlong(whole, end_heading), false))) {
+    return std::nullopt;
+  }
   const double length = Length(path);
   const double blocked = NearestPlace(path, *blocked_at_);
   for (const double place : PlacesAround(blocked, kStopReach, length)) {
-    if (legs_left_ == 0) return std::nullopt;
+    if (effort_left_ <= 0.0) return std::nullopt;
     const SplitLine parts = SplitAt(path, place);
     const Polyline onward = Shorten(parts.after);
     const Polyline before = Shorten(parts.before);
@@ -154,13 +222,11 @@ std::optional<Manoeuvre> ManoeuvreFinder::DriveWithStop(
 
     Polyline line = departure.lead;
     line.insert(line.end(), before.begin(), before.end());
-    const CurveEnd start{departure.pose.position(), departure.pose.theta,
-                         departure.curvature};
-    const std::optional<Leg> leg = FitLeg(line, start, std::nullopt, false);
+    const std::optional<Leg> leg = FitLeg(line, start, EndAlong(line), false);
     if (!leg) continue;
     Manoeuvre manoeuvre = {*leg};
     const std::optional<Manoeuvre> rest =
-        TurnThenDrive(EndOf(manoeuvre), parts.after, end_heading);
+        TurnThenDrive(vfh_astar::EndOf(manoeuvre), parts.after, end_heading);
     if (!rest) continue;
     Append(manoeuvre, *rest);
     return manoeuvre;
@@ -197,21 +263,20 @@ std::optional<Manoeuvre> ManoeuvreFinder::BackOutThenDrive(
     const Polyline line = Shorten(parts.before);
     const Pose2D stop(parts.after.front(), LastDirection(line) + kPi);
     if (!FindTurn(stop, FirstDirection(Shorten(parts.after)))) continue;
-    const std::optional<Leg> leg = FitLeg(line, start, std::nullopt, true);
+    const std::optional<Leg> leg = FitLeg(line, start, EndAlong(line), true);
     if (!leg) return std::nullopt;
     Manoeuvre manoeuvre = {*leg};
     const std::optional<Manoeuvre> rest =
-        TurnThenDrive(EndOf(manoeuvre), parts.after, end_heading);
+        TurnThenDrive(vfh_astar::EndOf(manoeuvre), parts.after, end_heading);
     if (!rest) continue;
     Append(manoeuvre, *rest);
     return manoeuvre;
   }
   // There is room nowhere: the whole way backwards.
-  const std::optional<Leg> leg = FitLeg(
-      Shorten(path), start,
-      end_heading ? std::optional<double>(NormalizeAngle(*end_heading + kPi))
-                  : std::nullopt,
-      true);
+  const Polyline line = Shorten(path);
+  CurveEnd end = EndAlong(line);
+  if (end_heading) end.heading = *end_heading + kPi;
+  const std::optional<Leg> leg = FitLeg(line, start, end, true);
   if (!leg) return std::nullopt;
   return Manoeuvre{*leg};
 }
@@ -234,11 +299,11 @@ std::optional<Manoeuvre> ManoeuvreFinder::ShiftThenDrive(
       if (!FindTurn({place, pose.theta}, FirstDirection(onward))) continue;
       const std::optional<Leg> leg =
           FitLeg({pose.position(), place}, {pose.position(), travel, 0.0},
-                 travel, reverse);
+                 {place, travel, 0.0}, reverse);
       if (!leg) continue;
       Manoeuvre manoeuvre = {*leg};
       const std::optional<Manoeuvre> rest =
-          TurnThenDrive(EndOf(manoeuvre), onward, end_heading);
+          TurnThenDrive(vfh_astar::EndOf(manoeuvre), onward, end_heading);
       if (!rest) continue;
       Append(manoeuvre, *rest);
       return manoeuvre;
@@ -250,7 +315,7 @@ std::optional<Manoeuvre> ManoeuvreFinder::ShiftThenDrive(
 std::optional<Manoeuvre> ManoeuvreFinder::Find(
     const Departure& departure, const Polyline& path,
     std::optional<double> end_heading) {
-  legs_left_ = kMaxLegs;
+  effort_left_ = std::min(kFindEffort + 5.0 * Length(path), total_effort_left_);
   if (departure.moving) return Drive(departure, path, end_heading);
   const Pose2D& pose = departure.pose;
   const double off =
@@ -270,6 +335,35 @@ std::optional<Manoeuvre> ManoeuvreFinder::Find(
   return found;
 }
 
+std::optional<Manoeuvre> ManoeuvreFinder::FindStraightIn(
+    const Departure& departure, const Polyline& path, const Pose2D& goal) {
+  for (double back = kPlaceSpacing; back <= kMaxShift; back += kPlaceSpacing) {
+    for (const bool reverse : {false, true}) {
+      if (reverse && !parameters_.may_reverse) continue;
+      const double travel = goal.theta + (reverse ? kPi : 0.0);
+      const Eigen::Vector2d place =
+          goal.position() -
+          back * Eigen::Vector2d(std::cos(travel), std::sin(travel));
+      const Polyline way = PathTo(place, path);
+      const Pose2D arrival(place, LastDirection(Shorten(way)));
+      if (!FindTurn(arrival, goal.theta)) continue;
+      const std::optional<Leg> last =
+          FitLeg({place, goal.position()}, {place, travel, 0.0},
+                 {goal.position(), travel, 0.0}, reverse);
+      if (!last) continue;
+      std::optional<Manoeuvre> manoeuvre = Find(departure, way, std::nullopt);
+      if (!manoeuvre) return std::nullopt;
+      const std::optional<Turn> turn =
+          FindTurn(vfh_astar::EndOf(*manoeuvre), goal.theta);
+      if (!turn) continue;
+      manoeuvre->push_back(*turn);
+      manoeuvre->push_back(*last);
+      return manoeuvre;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Manoeuvre> ManoeuvreFinder::FindTailFirst(
     const Departure& departure, const Polyline& path, double heading) {
   const double length = Length(path);
@@ -280,14 +374,15 @@ std::optional<Manoeuvre> ManoeuvreFinder::FindTailFirst(
     const double travel = FirstDirection(line);
     const Pose2D stop(line.front(), LastDirection(Shorten(parts.before)));
     if (!FindTurn(stop, travel + kPi)) continue;
-    legs_left_ = kMaxLegs;
     const std::optional<Leg> last =
-        FitLeg(line, {line.front(), travel, 0.0}, heading + kPi, true);
+        FitLeg(line, {line.front(), travel, 0.0},
+               {line.back(), heading + kPi, 0.0}, true);
     if (!last) return std::nullopt;
     std::optional<Manoeuvre> manoeuvre =
         Find(departure, parts.before, std::nullopt);
-    if (!manoeuvre) continue;
-    const std::optional<Turn> turn = FindTurn(EndOf(*manoeuvre), travel + kPi);
+    if (!manoeuvre) return std::nullopt;
+    const std::optional<Turn> turn =
+        FindTurn(vfh_astar::EndOf(*manoeuvre), travel + kPi);
     if (!turn) continue;
     manoeuvre->push_back(*turn);
     manoeuvre->push_back(*last);

@@ -60,6 +60,13 @@ double PoseCheck::MarginAt(const Eigen::Vector2d& point) const {
 }
 
 bool PoseCheck::IsFree(const Pose2D& pose) const {
+  const GridGeometry& geometry = clearance_.geometry();
+  // Beyond the map nothing is known, and nothing can be planned from there; a
+  // start there already is not made worse.
+  if (!geometry.Contains(geometry.ToCell(pose.position())) &&
+      geometry.Contains(geometry.ToCell(start_))) {
+    return false;
+  }
   return clearance_.IsFree(footprint_, pose, MarginAt(pose.position()));
 }
 
@@ -74,8 +81,24 @@ bool PoseCheck::IsTurnFree(const Pose2D& pose, double angle) const {
 }
 
 double PoseCheck::RoomAt(const Eigen::Vector2d& point) const {
-  return std::max(
-      0.0, clearance_.At(point) - 0.5 * clearance_.geometry().resolution);
+  // Interpolated between cell centres: in steps of a cell it would make the
+  // speed step, too.
+  const GridGeometry& geometry = clearance_.geometry();
+  const Eigen::Vector2d at = (point - geometry.origin) / geometry.resolution -
+                             Eigen::Vector2d(0.5, 0.5);
+  const int x = static_cast<int>(std::floor(at.x()));
+  const int y = static_cast<int>(std::floor(at.y()));
+  const auto clear = [&](int dx, int dy) {
+    const Cell cell{x + dx, y + dy};
+    return geometry.Contains(cell) ? clearance_.At(cell)
+                                   : clearance_.max_distance();
+  };
+  const double right = at.x() - x;
+  const double up = at.y() - y;
+  const double low = (1.0 - right) * clear(0, 0) + right * clear(1, 0);
+  const double high = (1.0 - right) * clear(0, 1) + right * clear(1, 1);
+  return std::max(0.0,
+                  (1.0 - up) * low + up * high - 0.5 * geometry.resolution);
 }
 
 double PoseCheck::Room(const Pose2D& pose) const {

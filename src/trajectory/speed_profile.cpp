@@ -44,7 +44,7 @@ Step StepAt(const ProfileProblem& problem, std::size_t node, double near,
   // |mine c + next c_next| <= limit
   const double rate = problem.curvature_rates[node];
   const double bend = problem.curvatures[node] / width;
-  const double limit = problem.max_angular_acceleration;
+  const double limit = problem.max_angular_accelerations[node];
   const double mine = rate * near - bend;
   const double next = rate * (1.0 - near) + bend;
   constexpr double kNegligible = 1e-9;
@@ -109,7 +109,8 @@ class Optimizer {
     const double bend = std::abs(problem_.curvatures[spans_]);
     double braking = problem_.max_deceleration;
     if (bend > 0.0) {
-      braking = std::min(braking, problem_.max_angular_acceleration / bend);
+      braking =
+          std::min(braking, problem_.max_angular_accelerations[spans_] / bend);
     }
     largest_[last] = std::min(largest_[last], braking * Length(last));
     for (std::size_t i = last; i > 0; --i) {
@@ -127,7 +128,8 @@ class Optimizer {
         const double fastest = std::min(step.Highest(before), largest_[i]);
         coefficients_[i] = std::max(fastest, 0.0);
       } else {
-        coefficients_[i] = std::max(step.lower[0].At(before), largest_[i]);
+        coefficients_[i] = std::clamp(largest_[i], step.lower[0].At(before),
+                                      step.upper[0].At(before));
       }
     }
   }
@@ -213,6 +215,8 @@ SpeedProfile OptimizeSpeed(const ProfileProblem& problem) {
   assert(problem.max_speeds.size() == problem.lengths.size());
   assert(problem.curvatures.size() == problem.lengths.size() + 1);
   assert(problem.curvature_rates.size() == problem.lengths.size() + 1);
+  assert(problem.max_angular_accelerations.size() ==
+         problem.lengths.size() + 1);
   return Optimizer(problem).Run();
 }
 

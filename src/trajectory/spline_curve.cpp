@@ -1,5 +1,6 @@
 #include "vfh_astar/trajectory/spline_curve.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -40,8 +41,8 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-CurvePoint Describe(const std::array<Weights, 4>& weights,
-                    const Eigen::Vector2d* points) {
+CurvePoint DescribePoint(const std::array<Weights, 4>& weights,
+                         const Eigen::Vector2d* points) {
   const Eigen::Vector2d first = Combine(weights[1], points);
   const Eigen::Vector2d second = Combine(weights[2], points);
   const Eigen::Vector2d third = Combine(weights[3], points);
@@ -88,6 +89,50 @@ double LengthOf(const LengthRule& rule, const Eigen::Vector2d* points) {
   return length;
 }
 
+// 1/m between two points of a curve, so that what is interpolated between them
+// keeps the limits that they keep.
+constexpr double kMaxCurvatureStep = 0.5;
+
+// How to describe one interval by `count` spans.
+class IntervalRule {
+ public:
+  explicit IntervalRule(int count) {
+    const double width = 1.0 / count;
+    for (int i = 0; i <= count; ++i) {
+      knots_.push_back(i * width);
+      weights_.push_back(DerivativeWeights(i * width));
+      if (i > 0) lengths_.push_back(MakeLengthRule((i - 1) * width, width));
+    }
+  }
+
+  // Both ends of the interval, and what lies between.
+  std::vector<CurvePoint> Describe(const Eigen::Vector2d* points,
+                                   int interval) const {
+    std::vector<CurvePoint> described;
+    described.reserve(weights_.size());
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      described.push_back(DescribePoint(weights_[i], points));
+      described.back().knot = interval + knots_[i];
+      if (i > 0) described.back().length = LengthOf(lengths_[i - 1], points);
+    }
+    return described;
+  }
+
+ private:
+  std::vector<double> knots_;
+  std::vector<std::array<Weights, 4>> weights_;
+  std::vector<LengthRule> lengths_;
+};
+
+double LargestStep(const std::vector<CurvePoint>& points) {
+  double largest = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    largest = std::max(largest,
+                       std::abs(points[i].curvature - points[i - 1].curvature));
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::array<Eigen::Vector2d, SplineCurve::kEndPoints> SplineCurve::EndPoints(
@@ -110,29 +155,27 @@ SplineCurve::SplineCurve(std::vector<Eigen::Vector2d> control_points)
   assert(points_.size() >= 6);
 }
 
-std::vector<CurvePoint> SplineCurve::Sample(int per_interval) const {
-  assert(per_interval >= 1);
-  const double width = 1.0 / per_interval;
-  std::vector<std::array<Weights, 4>> weights;
-  std::vector<LengthRule> rules;
-  for (int i = 0; i < per_interval; ++i) {
-    weights.push_back(DerivativeWeights(i * width));
-    rules.push_back(MakeLengthRule(i * width, width));
-  }
-
+std::vector<CurvePoint> SplineCurve::Sample() const {
+  const std::vector<IntervalRule> rules = {IntervalRule(2), IntervalRule(4),
+                                           IntervalRule(8)};
   std::vector<CurvePoint> samples;
-  samples.reserve(static_cast<std::size_t>(intervals()) * per_interval + 1);
+  samples.reserve(2 * static_cast<std::size_t>(intervals()) + 1);
   double length = 0.0;
   for (int interval = 0; interval < intervals(); ++interval) {
-    for (int i = 0; i < per_interval; ++i) {
-      samples.push_back(Describe(weights[i], &points_[interval]));
-      samples.back().length = length;
-      length = LengthOf(rules[i], &points_[interval]);
+    const Eigen::Vector2d* points = &points_[interval];
+    std::vector<CurvePoint> inside;
+    for (const IntervalRule& rule : rules) {
+      inside = rule.Describe(points, interval);
+      if (LargestStep(inside) <= kMaxCurvatureStep) break;
     }
+    // The last point of an interval is the first of the next one.
+    inside.front().length = length;
+    length = inside.back().length;
+    samples.insert(
+        samples.end(), inside.begin(),
+        interval + 1 < intervals() ? inside.end() - 1 : inside.end());
   }
-  samples.push_back(
-      Describe(DerivativeWeights(1.0), &points_[points_.size() - 6]));
-  samples.back().length = length;
+  samples.front().length = 0.0;
   return samples;
 }
 

@@ -8,6 +8,31 @@
 #include "vfh_astar/trajectory/speed_profile.h"
 
 namespace vfh_astar {
+double SpeedAtCurvature(double curvature, double max_v,
+                        const RobotLimits& limits) {
+  const double bend = std::abs(curvature);
+  double v = std::min(max_v, limits.max_wheel_speed /
+                                 (1.0 + 0.5 * limits.wheel_separation * bend));
+  if (bend > 0.0) {
+    v = std::min({v, limits.max_w / bend,
+                  std::sqrt(limits.max_lateral_acceleration / bend)});
+  }
+  return v;
+}
+
+double SpeedAtRoom(double room, double max_v, const RoomSpeed& rule) {
+  const double near_speed = std::min(rule.near_speed, max_v);
+  if (room >= rule.fast_room) return max_v;
+  if (room <= rule.slow_room) {
+    const double share =
+        rule.slow_room > 0.0 ? std::max(room / rule.slow_room, 0.25) : 1.0;
+    return near_speed * share;
+  }
+  const double share =
+      (room - rule.slow_room) / (rule.fast_room - rule.slow_room);
+  return near_speed + share * (max_v - near_speed);
+}
+
 namespace {
 
 // rad between the nodes of a turn.
@@ -21,7 +46,8 @@ ProfileProblem DriveProblem(const std::vector<CurvePoint>& points, bool reverse,
   ProfileProblem problem;
   problem.max_acceleration = limits.max_acceleration;
   problem.max_deceleration = limits.max_deceleration;
-  problem.max_angular_acceleration = limits.max_angular_acceleration;
+  problem.max_angular_accelerations.assign(points.size(),
+                                           limits.max_angular_acceleration);
   problem.start_speed = start.speed;
   problem.start_acceleration = start.acceleration;
   double allowed_before = 0.0;
@@ -59,42 +85,10 @@ MotionState StateAt(const CurvePoint& point, double v, double a) {
   return state;
 }
 
-}  // namespace
-
-double SpeedAtCurvature(double curvature, double max_v,
-                        const RobotLimits& limits) {
-  const double bend = std::abs(curvature);
-  double v = std::min(max_v, limits.max_wheel_speed /
-                                 (1.0 + 0.5 * limits.wheel_separation * bend));
-  if (bend > 0.0) {
-    v = std::min({v, limits.max_w / bend,
-                  std::sqrt(limits.max_lateral_acceleration / bend)});
-  }
-  return v;
-}
-
-double SpeedAtRoom(double room, double max_v, const RoomSpeed& rule) {
-  const double near_speed = std::min(rule.near_speed, max_v);
-  if (room >= rule.fast_room) return max_v;
-  if (room <= rule.slow_room) {
-    const double share =
-        rule.slow_room > 0.0 ? std::max(room / rule.slow_room, 0.25) : 1.0;
-    return near_speed * share;
-  }
-  const double share =
-      (room - rule.slow_room) / (rule.fast_room - rule.slow_room);
-  return near_speed + share * (max_v - near_speed);
-}
-
-TimedPieces TimeDrive(const std::vector<CurvePoint>& points, bool reverse,
-                      const DriveStart& start, const RobotLimits& limits,
-                      const RoomSpeed& rule, const PoseCheck& check) {
-  assert(points.size() >= 2);
-  const SpeedProfile profile =
-      OptimizeSpeed(DriveProblem(points, reverse, start, limits, rule, check));
-  TimedPieces timed;
-  timed.keeps_limits = profile.keeps_limits;
-  timed.pieces.reserve(points.size() - 1);
+std::vector<TrajectoryPiece> Pieces(const std::vector<CurvePoint>& points,
+                                    bool reverse, const SpeedProfile& profile) {
+  std::vector<TrajectoryPiece> pieces;
+  pieces.reserve(points.size() - 1);
   MotionState from =
       StateAt(points[0], profile.speeds[0], profile.accelerations[0]);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -106,8 +100,80 @@ TimedPieces TimeDrive(const std::vector<CurvePoint>& points, bool reverse,
     piece.duration = profile.durations[i - 1];
     piece.x = HermiteQuintic(from.x, to.x, piece.duration);
     piece.y = HermiteQuintic(from.y, to.y, piece.duration);
-    timed.pieces.push_back(piece);
+    pieces.push_back(piece);
     from = to;
+  }
+  return pieces;
+}
+
+// How many times over its limits a piece goes, at worst: in the square of the
+// speed, and in the angular acceleration.
+struct Excess {
+  double speed = 0.0;
+  double angular = 0.0;
+};
+
+Excess ExcessOf(const TrajectoryPiece& piece, double max_v,
+                const RobotLimits& limits) {
+  // Slower than this w is of no account, and ill-conditioned.
+  constexpr double kSlow = 0.03;  // m/s
+  Excess excess;
+  for (const double tau : {0.05, 0.25, 0.5, 0.75, 0.95}) {
+    const Jet x = Evaluate(piece.x, piece.duration, tau);
+    const Jet y = Evaluate(piece.y, piece.duration, tau);
+    const double squared = x.first * x.first + y.first * y.first;
+    if (squared < kSlow * kSlow) continue;
+    const double w = (y.second * x.first - x.second * y.first) / squared;
+    const double v = std::sqrt(squared);
+    const double allowed = SpeedAtCurvature(w / v, max_v, limits);
+    const double dw = (y.third * x.first - x.third * y.first -
+                       2.0 * w * (x.first * x.second + y.first * y.second)) /
+                      squared;
+    excess.speed = std::max(excess.speed, squared / (allowed * allowed));
+    excess.angular = std::max(excess.angular,
+                              std::abs(dw) / limits.max_angular_acceleration);
+  }
+  return excess;
+}
+
+// Lowers the bounds of spans whose pieces go beyond their limits between the
+// nodes, where the curvature changes fast. True when there was one.
+bool Correct(ProfileProblem& problem,
+             const std::vector<TrajectoryPiece>& pieces, double max_v,
+             const RobotLimits& limits) {
+  constexpr double kAllowed = 1.005;
+  bool corrected = false;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Excess excess = ExcessOf(pieces[i], max_v, limits);
+    if (excess.speed > kAllowed) {
+      problem.max_speeds[i] /= std::sqrt(excess.speed);
+      corrected = true;
+    }
+    if (excess.angular > kAllowed) {
+      problem.max_angular_accelerations[i] /= excess.angular;
+      problem.max_angular_accelerations[i + 1] /= excess.angular;
+      corrected = true;
+    }
+  }
+  return corrected;
+}
+
+}  // namespace
+
+TimedPieces TimeDrive(const std::vector<CurvePoint>& points, bool reverse,
+                      const DriveStart& start, const RobotLimits& limits,
+                      const RoomSpeed& rule, const PoseCheck& check) {
+  assert(points.size() >= 2);
+  constexpr int kMaxCorrections = 6;
+  const double max_v = reverse ? limits.max_v_reverse : limits.max_v;
+  ProfileProblem problem =
+      DriveProblem(points, reverse, start, limits, rule, check);
+  TimedPieces timed;
+  for (int i = 0; i <= kMaxCorrections; ++i) {
+    const SpeedProfile profile = OptimizeSpeed(problem);
+    timed.keeps_limits = profile.keeps_limits;
+    timed.pieces = Pieces(points, reverse, profile);
+    if (!Correct(problem, timed.pieces, max_v, limits)) break;
   }
   return timed;
 }
@@ -124,6 +190,8 @@ std::vector<TrajectoryPiece> TimeTurn(const Pose2D& pose, double angle,
   problem.max_speeds.assign(spans, limits.max_w);
   problem.curvatures.assign(spans + 1, 0.0);
   problem.curvature_rates.assign(spans + 1, 0.0);
+  problem.max_angular_accelerations.assign(spans + 1,
+                                           limits.max_angular_acceleration);
   problem.max_acceleration = limits.max_angular_acceleration;
   problem.max_deceleration = limits.max_angular_acceleration;
   problem.start_speed = std::abs(w);

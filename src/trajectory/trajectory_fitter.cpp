@@ -22,7 +22,7 @@ namespace {
 // control cycle.
 constexpr double kStandingV = 0.05;  // m/s
 constexpr double kStandingW = 0.02;  // rad/s
-// Tighter arcs (1/m) than this are turns on the spot that drift.
+// On tighter arcs (1/m) than this the robot stops before it drives on.
 constexpr double kMaxStartCurvature = 8.0;
 // A goal nearer than this (m) is reached already.
 constexpr double kArrived = 0.02;
@@ -110,11 +110,8 @@ class PiecewiseFit {
 
   FitResult Run() {
     const Twist2D& twist = request_.start.twist;
-    const bool drives =
-        std::abs(twist.v) >= kStandingV &&
-        std::abs(twist.w) <= kMaxStartCurvature * std::abs(twist.v);
-    if (!drives) return FromTurn();
-    if (twist.v > 0.0) {
+    if (std::abs(twist.v) < kStandingV) return FromTurn();
+    if (twist.v > 0.0 && std::abs(twist.w) <= kMaxStartCurvature * twist.v) {
       if (const std::optional<FitResult> joined = Join()) return *joined;
     }
     return StopFirst();
@@ -133,14 +130,9 @@ class PiecewiseFit {
       manoeuvre.push_back(Turn{pose, angle});
       pose.theta = NormalizeAngle(pose.theta + angle);
     }
-    return FromRest(std::move(manoeuvre), pose, path_);
-  }
-
-  FitResult FromRest(Manoeuvre manoeuvre, const Pose2D& pose,
-                     const Polyline& path) {
     Departure departure;
     departure.pose = pose;
-    if (!Complete(departure, path, manoeuvre)) return Blocked();
+    if (!Complete(departure, path_, manoeuvre)) return Blocked();
     return Timed(manoeuvre);
   }
 
@@ -154,7 +146,7 @@ class PiecewiseFit {
     departure.curvature = start.twist.w / start.twist.v;
     const double braking = start.twist.v * start.twist.v /
                            (2.0 * parameters_.limits.max_deceleration);
-    if (Length(path_) < braking) return std::nullopt;
+    if (Length(path_) < std::max(braking, 2.0 * kArrived)) return std::nullopt;
     const double swing =
         std::max(0.3, start.twist.v * start.twist.v /
                           parameters_.limits.max_lateral_acceleration);
@@ -173,22 +165,34 @@ class PiecewiseFit {
     return std::nullopt;
   }
 
+  // Brakes along the arc that the robot is on, a little farther where there is
+  // no room to go on from, and continues from rest.
   FitResult StopFirst() {
     const Reference& start = request_.start;
+    const RobotLimits& limits = parameters_.limits;
     const bool reverse = start.twist.v < 0.0;
-    const double length = 1.1 * start.twist.v * start.twist.v /
-                          (2.0 * parameters_.limits.max_deceleration);
-    const Polyline arc = ArcAhead(start, std::max(length, 0.02));
     const double curvature = start.twist.w / std::abs(start.twist.v);
     const double travel = start.pose.theta + (reverse ? kPi : 0.0);
-    const std::optional<Leg> leg =
-        finder_.FitLeg(arc, {arc.front(), travel, curvature},
-                       travel + curvature * length, reverse);
-    if (!leg) return Blocked();
-    Manoeuvre manoeuvre = {*leg};
-    const Pose2D stop = EndOf(manoeuvre);
-    return FromRest(std::move(manoeuvre), stop,
-                    PathFrom(stop.position(), path_));
+    const double braking = std::min(
+        limits.max_deceleration,
+        limits.max_angular_acceleration / std::max(std::abs(curvature), 1e-6));
+    for (const double reserve : {1.1, 1.5, 2.5}) {
+      const double length = std::max(
+          0.02, reserve * start.twist.v * start.twist.v / 2.0 / braking);
+      const Polyline arc = ArcAhead(start, length);
+      const CurveEnd end{arc.back(), travel + curvature * length, curvature};
+      const std::optional<Leg> leg =
+          finder_.FitLeg(arc, {arc.front(), travel, curvature}, end, reverse);
+      if (!leg) break;
+      Manoeuvre manoeuvre = {*leg};
+      Departure departure;
+      departure.pose = EndOf(manoeuvre);
+      const Eigen::Vector2d stop = departure.pose.position();
+      if (Complete(departure, PathFrom(stop, path_), manoeuvre)) {
+        return Timed(manoeuvre);
+      }
+    }
+    return Blocked();
   }
 
   // Adds the way along the path and the turn to the goal's heading.
@@ -229,18 +233,22 @@ class PiecewiseFit {
                                           const Polyline& path, double off) {
     std::optional<Manoeuvre> found =
         finder_.Find(departure, path, std::nullopt);
-    if (!found || TurnAtGoal(EndOf(*found), *found)) return found;
+    if (found && TurnAtGoal(EndOf(*found), *found)) return found;
 
     // No room to turn there: arrive with the heading.
     std::optional<Manoeuvre> other;
-    if (off < 0.5 * kPi) {
+    if (off > parameters_.turn_threshold) {
       other = finder_.Find(departure, path, request_.goal.theta);
-    } else if (parameters_.limits.max_v_reverse > 0.0) {
+    }
+    if (!other) other = finder_.FindStraightIn(departure, path, request_.goal);
+    if (!other && parameters_.limits.max_v_reverse > 0.0) {
       other = finder_.FindTailFirst(departure, path, request_.goal.theta);
     }
     if (other) return other;
-    note_ = At("no room to turn to the goal's heading at",
-               request_.goal.position());
+    if (found) {
+      note_ = At("no room to turn to the goal's heading at",
+                 request_.goal.position());
+    }
     return found;
   }
 
@@ -317,6 +325,7 @@ void TrajectoryFitterParameters::Read(ParameterReader& reader) {
   reader.Choice("fit", fit, {"piecewise", "quintic"});
   reader.Group("footprint", footprint);
   reader.Group("limits", limits);
+  reader.Integer("occupied_threshold", occupied_threshold, 1, 100);
   reader.Number("safety_margin", safety_margin, 0.0, 1.0);
   reader.Number("time_per_metre", time_per_metre, 0.05, 100.0);
   reader.Number("clearance_slow", clearance_slow, 0.0, 5.0);

@@ -19,10 +19,11 @@ struct LegRequest {
 };
 
 struct LegResult {
-  bool free = false;               ///< the footprint fits all along.
-  std::vector<CurvePoint> points;  ///< kPointsPerInterval to the interval.
+  bool free = false;  ///< the footprint fits all along, and no bend is a cusp.
+  std::vector<CurvePoint> points;  ///< of the curve, from end to end.
   Eigen::Vector2d blocked_at = Eigen::Vector2d::Zero();  ///< where it does not,
                                                          ///< when not free.
+  double effort = 0.0;  ///< m of curves that were fitted on the way.
 };
 
 /// Fits a smooth curve to a line.
@@ -33,8 +34,6 @@ struct LegResult {
 /// corners rounded over the spacing of the control points.
 class LegFitter {
  public:
-  static constexpr int kPointsPerInterval = 2;
-
   /// Keeps a reference to `check`.
   /// @param[in] fast_room m between footprint and obstacle beyond which more
   ///   room makes nothing faster.

@@ -72,10 +72,15 @@ class ManoeuvreFinder {
   std::optional<Manoeuvre> FindTailFirst(const Departure& departure,
                                          const Polyline& path, double heading);
 
-  /// A leg along a line, with its ends' headings (of travel) given or those of
-  /// the line.
+  /// Drives straight into `goal`, forward or back, after a turn at a place
+  /// before or behind it where there is room for one.
+  std::optional<Manoeuvre> FindStraightIn(const Departure& departure,
+                                          const Polyline& path,
+                                          const Pose2D& goal);
+
+  /// A leg along a line. The ends' headings are those of the travel.
   std::optional<Leg> FitLeg(const Polyline& line, const CurveEnd& start,
-                            std::optional<double> end_heading, bool reverse);
+                            const CurveEnd& end, bool reverse);
 
   Polyline Shorten(const Polyline& path) const;
 
@@ -101,10 +106,24 @@ class ManoeuvreFinder {
                                           const Polyline& path,
                                           std::optional<double> end_heading);
 
+  /// An end of a leg near which a fit was not free.
+  struct LegEnd {
+    CurveEnd end;
+    Eigen::Vector2d beyond;  ///< m, the line's point a little inward.
+    bool is_start;
+    bool reverse;
+  };
+  static LegEnd StartOf(const Polyline& line, const CurveEnd& start,
+                        bool reverse);
+  static LegEnd EndOf(const Polyline& line, const CurveEnd& end, bool reverse);
+  bool IsHopeless(const LegEnd& end) const;
+
   const PoseCheck& check_;
   ManoeuvreParameters parameters_;
   LegFitter fitter_;
-  int legs_left_;  ///< of the effort allowed.
+  std::vector<LegEnd> hopeless_;
+  double effort_left_;        ///< m of curves, of this Find; see LegResult.
+  double total_effort_left_;  ///< m, of all together.
   std::optional<Eigen::Vector2d> blocked_at_;
 };
 

@@ -24,6 +24,7 @@ class PoseCheck {
   PoseCheck(const Footprint& footprint, const ClearanceMap& clearance,
             double margin, const Pose2D& start);
 
+  /// True when the footprint stands free, with its centre on the map.
   bool IsFree(const Pose2D& pose) const;
 
   /// True when the footprint may turn on the spot by `angle` (rad, signed).

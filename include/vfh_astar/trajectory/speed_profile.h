@@ -10,14 +10,14 @@ namespace vfh_astar {
 /// and n + 1 nodes. Lengths are in metres along a curve, or in radians of a
 /// turn on the spot; then speeds are in rad/s.
 struct ProfileProblem {
-  std::vector<double> lengths;            ///< m, of each span, more than 0.
-  std::vector<double> max_speeds;         ///< m/s, in each span, more than 0.
-  std::vector<double> curvatures;         ///< 1/m, at each node.
-  std::vector<double> curvature_rates;    ///< 1/m^2, at each node.
-  double max_acceleration = 0.0;          ///< m/s^2
-  double max_deceleration = 0.0;          ///< m/s^2
-  double max_angular_acceleration = 0.0;  ///< rad/s^2
-  double start_speed = 0.0;               ///< m/s
+  std::vector<double> lengths;          ///< m, of each span, more than 0.
+  std::vector<double> max_speeds;       ///< m/s, in each span, more than 0.
+  std::vector<double> curvatures;       ///< 1/m, at each node.
+  std::vector<double> curvature_rates;  ///< 1/m^2, at each node.
+  std::vector<double> max_angular_accelerations;  ///< rad/s^2, at each node.
+  double max_acceleration = 0.0;                  ///< m/s^2
+  double max_deceleration = 0.0;                  ///< m/s^2
+  double start_speed = 0.0;                       ///< m/s
   std::optional<double> start_acceleration;  ///< m/s^2, kept as far as limits
                                              ///< allow; at rest not looked at.
 };

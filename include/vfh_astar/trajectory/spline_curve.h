@@ -14,6 +14,7 @@ struct CurvePoint {
   double curvature = 0.0;       ///< 1/m, positive to the left.
   double curvature_rate = 0.0;  ///< 1/m^2, d(curvature)/d(length).
   double length = 0.0;          ///< m from the point before; 0 for the first.
+  double knot = 0.0;            ///< of the curve: its interval, and how far in.
 };
 
 /// How a curve leaves or reaches an end.
@@ -44,10 +45,10 @@ class SplineCurve {
 
   int intervals() const { return static_cast<int>(points_.size()) - 5; }
 
-  /// @param[in] per_interval points in each interval, 1 or more.
-  /// @return per_interval * intervals() + 1 points from end to end, with the
-  ///   length between them by Gauss-Legendre quadrature.
-  std::vector<CurvePoint> Sample(int per_interval) const;
+  /// Points from end to end, two to an interval, and four or eight where the
+  /// curvature changes fast; with the length between them by Gauss-Legendre
+  /// quadrature.
+  std::vector<CurvePoint> Sample() const;
 
  private:
   std::vector<Eigen::Vector2d> points_;
