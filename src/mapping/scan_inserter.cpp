@@ -79,15 +79,18 @@ cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
   Eigen::AlignedBox2d reach(laser_pose.position());
   for (const Beam& beam : beams_) reach.extend(beam.end);
   grid.GrowToHold(CellsOf(reach, grid.geometry()));
-  observed_ = CellsOf(reach, grid.geometry()) & grid.geometry().Bounds();
-  if (observed_.empty()) return {};
-  tiles_.x = observed_.x / kTile;
-  tiles_.y = observed_.y / kTile;
-  tiles_.width = (observed_.br().x - 1) / kTile + 1 - tiles_.x;
-  tiles_.height = (observed_.br().y - 1) / kTile + 1 - tiles_.y;
+  const cv::Rect observed = CellsOf(reach, grid.geometry());
+  if ((observed & grid.geometry().Bounds()) != observed) return {};
+  tiles_.x = observed.x / kTile;
+  tiles_.y = observed.y / kTile;
+  tiles_.width = (observed.br().x - 1) / kTile + 1 - tiles_.x;
+  tiles_.height = (observed.br().y - 1) / kTile + 1 - tiles_.y;
 
-  for (Beam& beam : beams_) beam.end = ToCellUnits(grid.geometry(), beam.end);
-  MarkBeams(ToCellUnits(grid.geometry(), laser_pose.position()));
+  const Eigen::Vector2d corner(tiles_.x * kTile, tiles_.y * kTile);
+  for (Beam& beam : beams_) {
+    beam.end = ToCellUnits(grid.geometry(), beam.end) - corner;
+  }
+  MarkBeams(ToCellUnits(grid.geometry(), laser_pose.position()) - corner);
 
   cv::Rect changed;
   for (int row = tiles_.y; row < tiles_.br().y; ++row) {
@@ -121,36 +124,31 @@ void ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
 }
 
 void ScanInserter::MarkBeams(const Eigen::Vector2d& laser) {
-  const int stride = tiles_.width;
-  const std::size_t words =
-      static_cast<std::size_t>(tiles_.height) * kTile * stride;
+  const std::size_t stride = tiles_.width;
+  const std::size_t words = tiles_.height * kTile * stride;
   passed_.assign(words, 0);
   ended_.assign(words, 0);
-  const int x_offset = tiles_.x * kTile;
-  const int y_offset = tiles_.y * kTile;
+  std::uint64_t* const passed = passed_.data();
   for (const Beam& beam : beams_) {
-    TraverseRows(laser, beam.end, [&](int y, int first, int last) {
-      if (y < observed_.y || y >= observed_.br().y) return true;
-      const int low = std::max(std::min(first, last), observed_.x) - x_offset;
-      const int high =
-          std::min(std::max(first, last), observed_.br().x - 1) - x_offset;
-      if (low > high) return true;
-      std::uint64_t* const row =
-          passed_.data() + static_cast<std::size_t>(y - y_offset) * stride;
-      const int last_word = high / 64;
-      int word = low / 64;
-      int bit = low % 64;
-      for (; word < last_word; ++word, bit = 0) row[word] |= kAllBits << bit;
-      row[word] |= BitsBetween(bit, high % 64);
+    TraverseRows(laser, beam.end, [=](int y, int first, int last) {
+      const unsigned low = std::min(first, last);
+      const unsigned high = std::max(first, last);
+      std::uint64_t* const row = passed + y * stride;
+      if (low / 64 == high / 64) {
+        row[low / 64] |= BitsBetween(low % 64, high % 64);
+        return true;
+      }
+      row[low / 64] |= kAllBits << low % 64;
+      for (unsigned word = low / 64 + 1; word < high / 64; ++word) {
+        row[word] = kAllBits;
+      }
+      row[high / 64] |= BitsBetween(0, high % 64);
       return true;
     });
-    const cv::Point end(static_cast<int>(std::floor(beam.end.x())),
-                        static_cast<int>(std::floor(beam.end.y())));
-    if (beam.is_hit && observed_.contains(end)) {
-      ended_[static_cast<std::size_t>(end.y - y_offset) * stride +
-             (end.x - x_offset) / 64] |= std::uint64_t{1}
-                                         << ((end.x - x_offset) % 64);
-    }
+    if (!beam.is_hit) continue;
+    const auto x = static_cast<unsigned>(beam.end.x());
+    const auto y = static_cast<unsigned>(beam.end.y());
+    ended_[y * stride + x / 64] |= std::uint64_t{1} << x % 64;
   }
 }
 

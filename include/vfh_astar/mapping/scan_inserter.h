@@ -41,7 +41,8 @@ class ScanInserter {
 
   /// @param[in] scan without defect (see DescribeDefect).
   /// @param[in] laser_pose the laser in the grid's frame, finite.
-  /// @param[in,out] grid grows to hold the scan.
+  /// @param[in,out] grid grows to hold the scan; a scan that reaches beyond the
+  ///   largest grid there can be is left out.
   /// @return the window, in the grid as it is afterwards, outside of which no
   ///   cell changed; empty when none did.
   cv::Rect Insert(const LaserScan& scan, const Pose2D& laser_pose,
@@ -49,7 +50,7 @@ class ScanInserter {
 
  private:
   struct Beam {
-    Eigen::Vector2d end;  ///< m at first, then cell units.
+    Eigen::Vector2d end;  ///< m at first, then cells from the first tile.
     bool is_hit;
   };
 
@@ -68,8 +69,7 @@ class ScanInserter {
 
   // One scan's working memory, kept to be allocated once.
   std::vector<Beam> beams_;
-  cv::Rect tiles_;     ///< the tiles that the scan touches.
-  cv::Rect observed_;  ///< the cells that the scan touches.
+  cv::Rect tiles_;  ///< the tiles that the scan touches.
   // A bit per cell, a word per row of a tile; tiles_.width words per row.
   std::vector<std::uint64_t> passed_;
   std::vector<std::uint64_t> ended_;
