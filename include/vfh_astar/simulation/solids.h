@@ -1,0 +1,60 @@
+#ifndef VFH_ASTAR_SIMULATION_SOLIDS_H_
+#define VFH_ASTAR_SIMULATION_SOLIDS_H_
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "vfh_astar/simulation/shape.h"
+#include "vfh_astar/simulation/shape_index.h"
+#include "vfh_astar/simulation/world.h"
+
+namespace vfh_astar {
+
+/// A solid shape and the name of what it belongs to.
+struct NamedShape {
+  Shape shape;
+  const std::string* name = nullptr;
+};
+
+/// Everything solid in a world but the robots, as it is at one time.
+class Solids {
+ public:
+  explicit Solids(const World& world);
+
+  /// Moves the movers to where they are at `time` (s) and lets appear what is
+  /// due.
+  /// @param[in] robots outlines; the first one is who is approached, and
+  ///   nothing appears where a robot stands.
+  void Update(double time, const std::vector<Shape>& robots);
+
+  /// The shapes that may come within `radius` (m) of a point.
+  std::vector<NamedShape> Near(const Eigen::Vector2d& point,
+                               double radius) const;
+
+  /// m along a ray to the first shape; infinity beyond `range`.
+  double CastRay(const Eigen::Vector2d& origin,
+                 const Eigen::Vector2d& direction, double range) const;
+
+  /// True when something solid touches the shape.
+  bool IsOccupied(const Shape& shape) const;
+
+  /// @return false when the name is taken.
+  bool Add(const StaticObstacle& obstacle);
+  /// @return false when there is nothing of this name.
+  bool Remove(const std::string& name);
+
+ private:
+  bool HasName(const std::string& name) const;
+  void IndexStatics();
+
+  World world_;
+  ShapeIndex statics_;
+  std::vector<int> static_owners_;  ///< by shape in statics_.
+  std::vector<NamedShape> moving_;  ///< movers, and pop-ups that are there.
+  std::vector<bool> appeared_;      ///< by pop-up.
+};
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_SIMULATION_SOLIDS_H_

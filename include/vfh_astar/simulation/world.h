@@ -1,0 +1,88 @@
+#ifndef VFH_ASTAR_SIMULATION_WORLD_H_
+#define VFH_ASTAR_SIMULATION_WORLD_H_
+
+#include <Eigen/Core>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "vfh_astar/geometry.h"
+#include "vfh_astar/simulation/shape.h"
+
+namespace vfh_astar {
+
+/// Something solid that does not move, in the world's frame.
+struct StaticObstacle {
+  std::string name;
+  std::vector<Shape> shapes;
+};
+
+/// A mover's place at a time.
+struct Keyframe {
+  double time = 0.0;                                   ///< s
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
+};
+
+/// Something solid that goes its way and yields to nobody.
+struct Mover {
+  std::string name;
+  Shape shape;                      ///< about its own origin; it does not turn.
+  std::vector<Keyframe> keyframes;  ///< at least one, times rising.
+  double period = 0.0;  ///< s after which it begins anew (it jumps back when
+                        ///< its last place is not its first); 0: it stays at
+                        ///< the last keyframe.
+
+  /// m, in the world's frame.
+  Eigen::Vector2d PositionAt(double time) const;
+};
+
+/// Something solid that appears while the robot drives.
+struct PopUp {
+  std::string name;
+  std::vector<Shape> shapes;                ///< in the world's frame.
+  std::optional<double> time;               ///< s at which it appears,
+  std::optional<double> approach_distance;  ///< or m between the first robot
+                                            ///< and `approach_point`.
+  Eigen::Vector2d approach_point = Eigen::Vector2d::Zero();
+};
+
+struct RobotStart {
+  std::string name;
+  Pose2D pose;
+};
+
+/// A planar world as its file describes it.
+struct World {
+  std::string name;
+  std::vector<StaticObstacle> obstacles;
+  std::vector<Mover> movers;
+  std::vector<PopUp> pop_ups;
+  std::vector<RobotStart> robots;  ///< at least one.
+  std::optional<Pose2D> goal;      ///< suggested for the first robot.
+};
+
+/// A world file that cannot be read; the message names the file, the line or
+/// field, what was found and what was expected.
+class WorldFileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct WorldLoadOptions {
+  /// In a map_server map every pixel darker than this grey value (0 to 255) is
+  /// solid. The default takes map_saver's unknown (205) as open and the grey
+  /// edges of drawn walls as solid.
+  int solid_below = 205;
+};
+
+/// Reads a world by what the file is: a world of this package (YAML with a
+/// `version`), a Gazebo `.world` (its static boxes and cylinders), a DynaBARN
+/// world (JSON with `obstacles` and `keyframes_t_x_y`), or a map_server map
+/// (YAML with an `image`), whose solid pixels become walls.
+/// @throws WorldFileError, or MapFileError for the image of a map.
+World LoadWorld(const std::string& file, const WorldLoadOptions& options = {});
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_SIMULATION_WORLD_H_

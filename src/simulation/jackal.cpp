@@ -1,0 +1,244 @@
+#include "vfh_astar/simulation/jackal.h"
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace vfh_astar {
+namespace {
+
+constexpr double kGravity = 9.81;          ///< m/s^2
+constexpr double kChassisHeight = 0.0325;  ///< m of its middle above the axles.
+constexpr double kBumperFriction = 0.3;
+
+/// m/s of slip below which a tyre's force has no direction to speak of.
+constexpr double kNoSlip = 1e-6;
+
+/// ODE wants to be initialised once in a process, and by each thread.
+void InitializeOde() {
+  static const bool initialized = dInitODE2(0) != 0;
+  static_cast<void>(initialized);
+  dAllocateODEDataForThread(dAllocateMaskAll);
+}
+
+}  // namespace
+
+struct PhysicsWorld::Handles {
+  dWorldID world = dWorldCreate();
+  dJointGroupID contacts = dJointGroupCreate(0);
+};
+
+PhysicsWorld::PhysicsWorld() {
+  InitializeOde();
+  handles_ = std::make_unique<Handles>();
+  dWorldSetGravity(handles_->world, 0.0, 0.0, -kGravity);
+  dWorldSetERP(handles_->world, 0.2);
+  dWorldSetCFM(handles_->world, 1e-9);
+}
+
+PhysicsWorld::~PhysicsWorld() {
+  dJointGroupDestroy(handles_->contacts);
+  dWorldDestroy(handles_->world);
+}
+
+void PhysicsWorld::Step(double duration) {
+  dWorldStep(handles_->world, duration);
+  dJointGroupEmpty(handles_->contacts);
+}
+
+struct Jackal::Bodies {
+  dBodyID chassis;
+  std::array<dBodyID, 4> wheels;
+  std::array<dJointID, 4> axles;
+
+  ~Bodies() {
+    for (const dJointID axle : axles) dJointDestroy(axle);
+    for (const dBodyID wheel : wheels) dBodyDestroy(wheel);
+    dBodyDestroy(chassis);
+  }
+};
+
+Jackal::Jackal(PhysicsWorld* world, const JackalModel& model,
+               const Pose2D& pose)
+    : world_(world), model_(model), bodies_(std::make_unique<Bodies>()) {
+  const dWorldID ode = world_->handles_->world;
+  bodies_->chassis = dBodyCreate(ode);
+  dMass mass;
+  // Moments of inertia of Clearpath's description.
+  dMassSetParameters(&mass, model_.chassis_mass, 0.0, 0.0, 0.0, 0.3136, 0.3922,
+                     0.4485, 0.0, 0.0, 0.0);
+  dBodySetMass(bodies_->chassis, &mass);
+  for (std::size_t i = 0; i < 4; ++i) {
+    bodies_->wheels[i] = dBodyCreate(ode);
+    constexpr int kAlongY = 2;
+    dMassSetCylinderTotal(&mass, model_.wheel_mass, kAlongY,
+                          model_.wheel_radius, model_.wheel_width);
+    dBodySetMass(bodies_->wheels[i], &mass);
+    bodies_->axles[i] = dJointCreateHinge(ode, nullptr);
+  }
+  Place(pose);
+}
+
+Jackal::~Jackal() = default;
+Jackal::Jackal(Jackal&&) noexcept = default;
+Jackal& Jackal::operator=(Jackal&&) noexcept = default;
+
+void Jackal::Place(const Pose2D& pose) {
+  dQuaternion turn = {std::cos(0.5 * pose.theta), 0.0, 0.0,
+                      std::sin(0.5 * pose.theta)};
+  const auto put = [&turn](dBodyID body, const Eigen::Vector2d& at, double z) {
+    dBodySetPosition(body, at.x(), at.y(), z);
+    dBodySetQuaternion(body, turn);
+    dBodySetLinearVel(body, 0.0, 0.0, 0.0);
+    dBodySetAngularVel(body, 0.0, 0.0, 0.0);
+  };
+  put(bodies_->chassis, pose.position(), model_.wheel_radius + kChassisHeight);
+  const Eigen::Vector2d left =
+      Pose2D(0.0, 0.0, pose.theta) * Eigen::Vector2d(0.0, 1.0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2d axle((i % 2 == 0 ? 0.5 : -0.5) * model_.wheelbase,
+                               (i < 2 ? 0.5 : -0.5) * model_.track);
+    const Eigen::Vector2d at = pose * axle;
+    put(bodies_->wheels[i], at, model_.wheel_radius);
+    const dJointID joint = bodies_->axles[i];
+    dJointAttach(joint, bodies_->chassis, bodies_->wheels[i]);
+    dJointSetHingeAnchor(joint, at.x(), at.y(), model_.wheel_radius);
+    dJointSetHingeAxis(joint, -left.x(), -left.y(), 0.0);
+    dJointSetHingeParam(joint, dParamFMax, model_.motor_torque);
+    dJointSetHingeParam(joint, dParamVel, 0.0);
+  }
+  command_ = Twist2D();
+}
+
+void Jackal::Control(const Twist2D& command, double duration) {
+  const auto approach = [](double from, double to, double step) {
+    return std::clamp(to, from - step, from + step);
+  };
+  command_.v =
+      approach(command_.v, std::clamp(command.v, -model_.max_v, model_.max_v),
+               model_.max_acceleration * duration);
+  command_.w =
+      approach(command_.w, std::clamp(command.w, -model_.max_w, model_.max_w),
+               model_.max_angular_acceleration * duration);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double side = i < 2 ? -1.0 : 1.0;
+    const double speed =
+        command_.v + side * command_.w * model_.HalfSeparation();
+    dJointSetHingeParam(bodies_->axles[i], dParamVel,
+                        speed / model_.wheel_radius);
+  }
+}
+
+void Jackal::TouchGround() {
+  const dReal* rotation = dBodyGetRotation(bodies_->chassis);
+  // The axles' direction, in the plane and in full.
+  const double ax = rotation[1], ay = rotation[5], az = rotation[9];
+  const double in_plane = std::hypot(ax, ay);
+  const double load =
+      0.25 * (model_.chassis_mass + 4.0 * model_.wheel_mass) * kGravity;
+  for (const dBodyID wheel : bodies_->wheels) {
+    // The lowest point of the wheel's rim: from its middle, straight down as
+    // far as the wheel's plane allows.
+    const dReal* middle = dBodyGetPosition(wheel);
+    const double scale = model_.wheel_radius / in_plane;
+    dContact contact;
+    std::memset(&contact, 0, sizeof(contact));
+    contact.geom.pos[0] = middle[0] + scale * az * ax;
+    contact.geom.pos[1] = middle[1] + scale * az * ay;
+    contact.geom.pos[2] = middle[2] - scale * (1.0 - az * az);
+    contact.geom.depth = -contact.geom.pos[2];
+    if (contact.geom.depth < 0.0) continue;
+    contact.geom.normal[2] = 1.0;
+    contact.fdir1[0] = ay / in_plane;
+    contact.fdir1[1] = -ax / in_plane;
+
+    dVector3 slip;
+    dBodyGetPointVel(wheel, contact.geom.pos[0], contact.geom.pos[1],
+                     contact.geom.pos[2], slip);
+    const double along =
+        slip[0] * contact.fdir1[0] + slip[1] * contact.fdir1[1];
+    const double across =
+        slip[1] * contact.fdir1[0] - slip[0] * contact.fdir1[1];
+    const double speed = std::hypot(along, across);
+    // ODE caps the two directions one by one; sharing the cap by the slip's
+    // direction makes of the box the circle that friction is.
+    const double cap = model_.friction * load;
+    contact.surface.mode = dContactMu2 | dContactFDir1 | dContactSlip1 |
+                           dContactSlip2 | dContactSoftERP | dContactSoftCFM;
+    contact.surface.mu = speed < kNoSlip ? cap : cap * std::abs(along) / speed;
+    contact.surface.mu2 =
+        speed < kNoSlip ? cap : cap * std::abs(across) / speed;
+    contact.surface.slip1 = 1.0 / model_.tyre_slip_stiffness;
+    contact.surface.slip2 = 1.0 / model_.tyre_slip_stiffness;
+    contact.surface.soft_erp = 0.2;
+    contact.surface.soft_cfm = 1e-5;
+    dJointAttach(dJointCreateContact(world_->handles_->world,
+                                     world_->handles_->contacts, &contact),
+                 wheel, nullptr);
+  }
+}
+
+void Jackal::Touch(const ContactPoint& touched) { Touch(touched, nullptr); }
+
+void Jackal::Touch(const ContactPoint& touched, Jackal* other) {
+  dContact contact;
+  std::memset(&contact, 0, sizeof(contact));
+  contact.geom.pos[0] = touched.point.x();
+  contact.geom.pos[1] = touched.point.y();
+  contact.geom.pos[2] = model_.wheel_radius + kChassisHeight;
+  contact.geom.normal[0] = touched.normal.x();
+  contact.geom.normal[1] = touched.normal.y();
+  contact.geom.depth = touched.depth;
+  contact.surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
+  contact.surface.mu = kBumperFriction;
+  contact.surface.soft_erp = 0.2;
+  contact.surface.soft_cfm = 1e-5;
+  dJointAttach(dJointCreateContact(world_->handles_->world,
+                                   world_->handles_->contacts, &contact),
+               bodies_->chassis,
+               other == nullptr ? nullptr : other->bodies_->chassis);
+}
+
+Pose2D Jackal::pose() const {
+  const dReal* position = dBodyGetPosition(bodies_->chassis);
+  const dReal* rotation = dBodyGetRotation(bodies_->chassis);
+  return {position[0], position[1], std::atan2(rotation[4], rotation[0])};
+}
+
+Eigen::Vector2d Jackal::velocity() const {
+  const dReal* velocity = dBodyGetLinearVel(bodies_->chassis);
+  return {velocity[0], velocity[1]};
+}
+
+Twist2D Jackal::twist() const {
+  return {velocity().dot(pose().heading()),
+          dBodyGetAngularVel(bodies_->chassis)[2]};
+}
+
+std::array<double, 4> Jackal::wheel_rates() const {
+  std::array<double, 4> rates;
+  for (std::size_t i = 0; i < 4; ++i) {
+    rates[i] = dJointGetHingeAngleRate(bodies_->axles[i]);
+  }
+  return rates;
+}
+
+void Jackal::CountWheelTurns(double duration) {
+  const std::array<double, 4> rates = wheel_rates();
+  for (std::size_t i = 0; i < 4; ++i) wheel_angles_[i] += rates[i] * duration;
+}
+
+Shape Jackal::Outline() const { return OutlineOf(model_.footprint, pose()); }
+
+Shape OutlineOf(const Footprint& footprint, const Pose2D& pose) {
+  std::vector<Eigen::Vector2d> corners;
+  for (const Eigen::Vector2d& corner : footprint.Corners()) {
+    corners.push_back(pose * corner);
+  }
+  return MakeConvexPolygon(std::move(corners));
+}
+
+}  // namespace vfh_astar

@@ -1,0 +1,340 @@
+#include "vfh_astar/simulation/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "vfh_astar/simulation/jackal.h"
+#include "vfh_astar/simulation/solids.h"
+
+namespace vfh_astar {
+namespace {
+
+constexpr double kClearanceReach = 5.0;  ///< m
+
+/// The directions of a laser's beams in its own frame.
+std::vector<Eigen::Vector2d> BeamDirections(const LaserModel& laser) {
+  std::vector<Eigen::Vector2d> directions;
+  const double increment =
+      (laser.angle_max - laser.angle_min) / (laser.beams - 1);
+  for (int beam = 0; beam < laser.beams; ++beam) {
+    const double angle = laser.angle_min + beam * increment;
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return directions;
+}
+
+LaserScan EmptyScan(const LaserModel& laser) {
+  LaserScan scan;
+  scan.angle_min = laser.angle_min;
+  scan.angle_increment =
+      (laser.angle_max - laser.angle_min) / (laser.beams - 1);
+  scan.range_min = laser.range_min;
+  scan.range_max = laser.range_max;
+  scan.ranges.resize(laser.beams);
+  return scan;
+}
+
+}  // namespace
+
+class Simulation::Impl {
+ public:
+  Impl(const World& world, const SimulationParameters& parameters)
+      : world_(world),
+        parameters_(parameters),
+        beams_(BeamDirections(parameters.laser)) {
+    Reset(parameters.seed);
+  }
+
+  struct Robot {
+    Robot(PhysicsWorld* physics, const JackalModel& model,
+          const RobotStart& start, const SimulationParameters& parameters)
+        : name(start.name),
+          body(physics, model, start.pose),
+          sensors(parameters.noise, model),
+          scan(EmptyScan(parameters.laser)) {}
+
+    std::string name;
+    Jackal body;
+    RobotSensors sensors;
+    LaserScan scan;
+    Twist2D command;
+    double command_time = 0.0;
+    std::optional<Collision> collision;
+  };
+
+  double time() const { return steps_ * parameters_.step; }
+
+  void Reset(std::uint32_t seed);
+  StepEvents Step();
+  void SetCommand(std::size_t robot, const Twist2D& command) {
+    robots_[robot].command = command;
+    robots_[robot].command_time = time();
+  }
+  bool SetPose(std::size_t robot, const Pose2D& pose);
+  bool Spawn(const StaticObstacle& obstacle);
+  bool Delete(const std::string& name);
+  double Clearance(std::size_t robot) const;
+
+  World world_;
+  SimulationParameters parameters_;
+  JackalModel model_;
+  std::unique_ptr<PhysicsWorld> physics_;  // outlives the robots in it
+  std::vector<Robot> robots_;
+
+ private:
+  std::vector<Shape> Outlines() const;
+  void Collide(std::size_t index, const std::vector<Shape>& outlines);
+  void NoteCollision(Robot* robot, const std::string& with);
+  void TakeScan(std::size_t index, const std::vector<Shape>& outlines);
+  bool IsFree(const Shape& outline, std::size_t except) const;
+
+  std::vector<Eigen::Vector2d> beams_;
+  std::unique_ptr<Solids> solids_;
+  std::mt19937 random_;
+  std::int64_t steps_ = 0;
+  std::int64_t scans_ = 0;
+  std::int64_t readings_ = 0;
+  double last_reading_ = 0.0;
+};
+
+void Simulation::Impl::Reset(std::uint32_t seed) {
+  robots_.clear();
+  physics_ = std::make_unique<PhysicsWorld>();
+  solids_ = std::make_unique<Solids>(world_);
+  robots_.reserve(world_.robots.size());
+  for (const RobotStart& start : world_.robots) {
+    robots_.emplace_back(physics_.get(), model_, start, parameters_);
+  }
+  random_.seed(seed);
+  steps_ = 0;
+  scans_ = 0;
+  readings_ = 0;
+  last_reading_ = 0.0;
+}
+
+std::vector<Shape> Simulation::Impl::Outlines() const {
+  std::vector<Shape> outlines;
+  outlines.reserve(robots_.size());
+  for (const Robot& robot : robots_) outlines.push_back(robot.body.Outline());
+  return outlines;
+}
+
+void Simulation::Impl::NoteCollision(Robot* robot, const std::string& with) {
+  if (robot->collision) return;
+  robot->collision = Collision{time(), with, robot->body.velocity().norm()};
+}
+
+void Simulation::Impl::Collide(std::size_t index,
+                               const std::vector<Shape>& outlines) {
+  Robot& robot = robots_[index];
+  const Shape& outline = outlines[index];
+  for (const NamedShape& solid :
+       solids_->Near(outline.center, outline.radius)) {
+    for (const ContactPoint& contact : FindContact(outline, solid.shape)) {
+      robot.body.Touch(contact);
+      NoteCollision(&robot, *solid.name);
+    }
+  }
+  for (std::size_t other = index + 1; other < robots_.size(); ++other) {
+    for (const ContactPoint& contact : FindContact(outline, outlines[other])) {
+      robot.body.Touch(contact, &robots_[other].body);
+      NoteCollision(&robot, robots_[other].name);
+      NoteCollision(&robots_[other], robot.name);
+    }
+  }
+}
+
+void Simulation::Impl::TakeScan(std::size_t index,
+                                const std::vector<Shape>& outlines) {
+  Robot& robot = robots_[index];
+  const LaserModel& laser = parameters_.laser;
+  const Pose2D pose = robot.body.pose() * laser.mount;
+  const Eigen::Vector2d heading = pose.heading();
+  const double sigma = std::hypot(laser.sigma, parameters_.noise.range_sigma);
+  std::normal_distribution<double> error(0.0, sigma > 0.0 ? sigma : 1.0);
+  std::uniform_real_distribution<double> chance(0.0, 1.0);
+  robot.scan.stamp = time();
+  for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
+    const Eigen::Vector2d& b = beams_[beam];
+    const Eigen::Vector2d direction(heading.x() * b.x() - heading.y() * b.y(),
+                                    heading.y() * b.x() + heading.x() * b.y());
+    double range =
+        solids_->CastRay(pose.position(), direction, laser.range_max);
+    for (std::size_t other = 0; other < outlines.size(); ++other) {
+      if (other == index) continue;
+      range = std::min(
+          range, RayDistance(outlines[other], pose.position(), direction));
+    }
+    if (sigma > 0.0 && std::isfinite(range)) range += error(random_);
+    const bool lost = parameters_.noise.dropout > 0.0 &&
+                      chance(random_) < parameters_.noise.dropout;
+    if (lost || range > laser.range_max) {
+      range = std::numeric_limits<double>::infinity();
+    } else if (range < laser.range_min) {
+      range = -std::numeric_limits<double>::infinity();
+    }
+    robot.scan.ranges[beam] = static_cast<float>(range);
+  }
+}
+
+StepEvents Simulation::Impl::Step() {
+  const double step = parameters_.step;
+  std::vector<Shape> outlines = Outlines();
+  solids_->Update(time(), outlines);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = robots_[i];
+    const bool timed_out =
+        time() - robot.command_time > parameters_.command_timeout;
+    robot.body.Control(timed_out ? Twist2D() : robot.command, step);
+    robot.body.TouchGround();
+    Collide(i, outlines);
+  }
+  physics_->Step(step);
+  ++steps_;
+  for (Robot& robot : robots_) robot.body.CountWheelTurns(step);
+
+  // Half a step of tolerance, so that rounding does not put a reading off.
+  const double now = time() + 0.5 * step;
+  StepEvents events;
+  if (now >= (readings_ + 1) / parameters_.odometry_rate) {
+    ++readings_;
+    events.odometry = true;
+    for (Robot& robot : robots_) {
+      robot.sensors.Read(time(), time() - last_reading_, robot.body, &random_);
+    }
+    last_reading_ = time();
+  }
+  if (now >= (scans_ + 1) / parameters_.laser.rate) {
+    ++scans_;
+    events.scan = true;
+    outlines = Outlines();
+    for (std::size_t i = 0; i < robots_.size(); ++i) TakeScan(i, outlines);
+  }
+  return events;
+}
+
+bool Simulation::Impl::IsFree(const Shape& outline, std::size_t except) const {
+  if (solids_->IsOccupied(outline)) return false;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (i != except && Distance(outline, robots_[i].body.Outline()) <= 0.0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Simulation::Impl::SetPose(std::size_t robot, const Pose2D& pose) {
+  if (!IsFree(OutlineOf(model_.footprint, pose), robot)) return false;
+  robots_[robot].body.Place(pose);
+  robots_[robot].command = Twist2D();
+  return true;
+}
+
+bool Simulation::Impl::Spawn(const StaticObstacle& obstacle) {
+  for (const Shape& outline : Outlines()) {
+    for (const Shape& shape : obstacle.shapes) {
+      if (Distance(shape, outline) <= 0.0) return false;
+    }
+  }
+  return solids_->Add(obstacle);
+}
+
+bool Simulation::Impl::Delete(const std::string& name) {
+  const bool removed = solids_->Remove(name);
+  solids_->Update(time(), Outlines());
+  return removed;
+}
+
+double Simulation::Impl::Clearance(std::size_t robot) const {
+  const Shape outline = robots_[robot].body.Outline();
+  double clearance = std::numeric_limits<double>::infinity();
+  for (const NamedShape& solid :
+       solids_->Near(outline.center, kClearanceReach)) {
+    clearance = std::min(clearance, Distance(outline, solid.shape));
+  }
+  for (std::size_t other = 0; other < robots_.size(); ++other) {
+    if (other == robot) continue;
+    clearance =
+        std::min(clearance, Distance(outline, robots_[other].body.Outline()));
+  }
+  return clearance;
+}
+
+Simulation::Simulation(const World& world,
+                       const SimulationParameters& parameters)
+    : impl_(std::make_unique<Impl>(world, parameters)) {}
+
+Simulation::~Simulation() = default;
+
+const World& Simulation::world() const { return impl_->world_; }
+
+const SimulationParameters& Simulation::parameters() const {
+  return impl_->parameters_;
+}
+
+double Simulation::time() const { return impl_->time(); }
+
+std::size_t Simulation::robot_count() const { return impl_->robots_.size(); }
+
+const std::string& Simulation::robot_name(std::size_t robot) const {
+  return impl_->robots_[robot].name;
+}
+
+void Simulation::SetCommand(std::size_t robot, const Twist2D& command) {
+  impl_->SetCommand(robot, command);
+}
+
+StepEvents Simulation::Step() { return impl_->Step(); }
+
+const LaserScan& Simulation::scan(std::size_t robot) const {
+  return impl_->robots_[robot].scan;
+}
+
+const OdometryReading& Simulation::wheel_odometry(std::size_t robot) const {
+  return impl_->robots_[robot].sensors.wheels();
+}
+
+const OdometryReading& Simulation::filtered_odometry(std::size_t robot) const {
+  return impl_->robots_[robot].sensors.filtered();
+}
+
+const ImuReading& Simulation::imu(std::size_t robot) const {
+  return impl_->robots_[robot].sensors.imu();
+}
+
+Pose2D Simulation::TruePose(std::size_t robot) const {
+  return impl_->robots_[robot].body.pose();
+}
+
+Twist2D Simulation::TrueTwist(std::size_t robot) const {
+  return impl_->robots_[robot].body.twist();
+}
+
+std::array<double, 4> Simulation::WheelAngles(std::size_t robot) const {
+  return impl_->robots_[robot].body.wheel_angles();
+}
+
+double Simulation::Clearance(std::size_t robot) const {
+  return impl_->Clearance(robot);
+}
+
+const std::optional<Collision>& Simulation::collision(std::size_t robot) const {
+  return impl_->robots_[robot].collision;
+}
+
+void Simulation::Reset(std::uint32_t seed) { impl_->Reset(seed); }
+
+bool Simulation::SetPose(std::size_t robot, const Pose2D& pose) {
+  return impl_->SetPose(robot, pose);
+}
+
+bool Simulation::Spawn(const StaticObstacle& obstacle) {
+  return impl_->Spawn(obstacle);
+}
+
+bool Simulation::Delete(const std::string& name) { return impl_->Delete(name); }
+
+}  // namespace vfh_astar
