@@ -64,6 +64,8 @@ class GridMapperNodelet : public nodelet::Nodelet {
     LoadMapFile();
     Advertise();
     Begin();
+    // From here on callbacks come, in another thread than this one.
+    Serve();
     Listen();
   }
 
@@ -86,6 +88,10 @@ class GridMapperNodelet : public nodelet::Nodelet {
         node.advertise<map_msgs::OccupancyGridUpdate>("map_updates", 100);
     entropy_publisher_ =
         getPrivateNodeHandle().advertise<std_msgs::Float64>("entropy", 1, true);
+  }
+
+  void Serve() {
+    ros::NodeHandle& node = getNodeHandle();
     services_ = {
         node.advertiseService("dynamic_map", &GridMapperNodelet::OnGetMap,
                               this),

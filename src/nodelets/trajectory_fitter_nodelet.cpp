@@ -49,6 +49,14 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
     trajectory_publisher_ = node.advertise<QuinticTrajectory>("trajectory", 1);
     path_publisher_ = node.advertise<nav_msgs::Path>("trajectory_path", 1);
     failure_publisher_ = node.advertise<MotionFailure>("plan_failure", 10);
+    limits_ = std::make_unique<Reconfiguration<LimitsConfig>>(
+        ros::NodeHandle(getPrivateNodeHandle(), "limits"),
+        ToConfig(parameters_.fitter.limits),
+        [this](const LimitsConfig& config) {
+          Apply(config, parameters_.fitter.limits);
+          fitter_ = std::make_unique<TrajectoryFitter>(parameters_.fitter);
+        });
+    // From here on callbacks come, in another thread than this one.
     map_subscription_ = std::make_unique<MapSubscription>(
         node,
         [this](const OccupancyGrid& map) {
@@ -64,13 +72,6 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
     plan_subscriber_ = node.subscribe<nav_msgs::Path>(
         "plan", 10,
         [this](const nav_msgs::PathConstPtr& plan) { OnPlan(plan); });
-    limits_ = std::make_unique<Reconfiguration<LimitsConfig>>(
-        ros::NodeHandle(getPrivateNodeHandle(), "limits"),
-        ToConfig(parameters_.fitter.limits),
-        [this](const LimitsConfig& config) {
-          Apply(config, parameters_.fitter.limits);
-          fitter_ = std::make_unique<TrajectoryFitter>(parameters_.fitter);
-        });
   }
 
   void OnQuery(const MotionQuery& query) {

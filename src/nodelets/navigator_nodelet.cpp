@@ -1,0 +1,283 @@
+#include <nodelet/nodelet.h>
+#include <std_msgs/Empty.h>
+#include <std_srvs/Empty.h>
+#include <vfh_astar/GoalConfig.h>
+#include <vfh_astar/SafetyConfig.h>
+
+#include <algorithm>
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+#include <string>
+
+#include "vfh_astar/navigation/navigator.h"
+#include "vfh_astar/ros/cycle_monitor.h"
+#include "vfh_astar/ros/frame_names.h"
+#include "vfh_astar/ros/geometry_messages.h"
+#include "vfh_astar/ros/goal_server.h"
+#include "vfh_astar/ros/message_error.h"
+#include "vfh_astar/ros/motion_messages.h"
+#include "vfh_astar/ros/navigation_messages.h"
+#include "vfh_astar/ros/reconfiguration.h"
+#include "vfh_astar/ros/robot_inputs.h"
+#include "vfh_astar/ros/ros_parameter_reader.h"
+
+namespace vfh_astar {
+namespace {
+
+struct NavigatorNodeletParameters {
+  NavigatorParameters navigator;
+  FrameNames frames;
+  double control_frequency = 20.0;  ///< Hz, of the cycle while no scan comes;
+                                    ///< else every scan brings one.
+
+  void Read(ParameterReader& reader) {
+    navigator.Read(reader);
+    frames.Read(reader);
+    reader.Number("control_frequency", control_frequency, 1.0, 200.0);
+  }
+};
+
+GoalConfig ToConfig(const GoalParameters& goal) {
+  GoalConfig config;
+  config.tolerance = goal.tolerance;
+  config.xy_goal_tolerance = goal.xy_goal_tolerance;
+  config.yaw_goal_tolerance = goal.yaw_goal_tolerance;
+  return config;
+}
+
+SafetyConfig ToConfig(const SafetyLimiterParameters& safety) {
+  SafetyConfig config;
+  config.margin = safety.margin;
+  return config;
+}
+
+}  // namespace
+
+/// Goals, scans, odometry and trajectories in; cmd_vel out. One cycle for every
+/// scan. All callbacks run in one thread.
+class NavigatorNodelet : public nodelet::Nodelet {
+ public:
+  ~NavigatorNodelet() override {
+    // Nobody else stops a robot whose navigation is unloaded while it drives.
+    if (is_moving_) command_publisher_.publish(geometry_msgs::Twist());
+  }
+
+ private:
+  void onInit() override {
+    parameters_ =
+        ReadParameters<NavigatorNodeletParameters>(getPrivateNodeHandle());
+    period_ = ros::Duration(1.0 / parameters_.control_frequency);
+    navigator_ = std::make_unique<Navigator>(parameters_.navigator);
+    Advertise();
+    ros::NodeHandle& node = getNodeHandle();
+    inputs_ = std::make_unique<RobotInputs>(
+        node, parameters_.frames, parameters_.navigator.occupied_threshold);
+    monitor_ = std::make_unique<CycleMonitor>(
+        node, getPrivateNodeHandle(), getName(), period_.toSec(), *inputs_);
+    ServeReconfiguration();
+    // From here on callbacks come, in another thread than this one.
+    Listen();
+  }
+
+  void Advertise() {
+    ros::NodeHandle& node = getNodeHandle();
+    command_publisher_ = node.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+    query_publisher_ = node.advertise<MotionQuery>("plan_request", 10);
+    state_publisher_ = node.advertise<NavigationState>("navigation_state", 10);
+    footprint_publisher_ =
+        node.advertise<geometry_msgs::PolygonStamped>("footprint", 1);
+    histogram_publisher_ =
+        node.advertise<visualization_msgs::MarkerArray>("vfh_histogram", 1);
+  }
+
+  void Listen() {
+    ros::NodeHandle& node = getNodeHandle();
+    goals_ = std::make_unique<GoalServer>(
+        node, inputs_->transforms(), parameters_.frames.map_frame,
+        [this](const std::string& goal_id, const Pose2D& goal) {
+          navigator_->SetGoal(goal_id, goal);
+        },
+        [this] { navigator_->Cancel(); });
+    pause_service_ =
+        node.advertiseService("pause", &NavigatorNodelet::OnPause, this);
+    resume_service_ =
+        node.advertiseService("resume", &NavigatorNodelet::OnResume, this);
+    trajectory_subscriber_ = node.subscribe<QuinticTrajectory>(
+        "trajectory", 10, [this](const QuinticTrajectoryConstPtr& message) {
+          OnTrajectory(*message);
+        });
+    failure_subscriber_ = node.subscribe<MotionFailure>(
+        "plan_failure", 10, [this](const MotionFailureConstPtr& message) {
+          const MotionAnswer answer = ToAnswer(*message);
+          navigator_->PlanFailed(answer.id, answer.outcome, answer.message);
+        });
+    cancel_subscriber_ = node.subscribe<std_msgs::Empty>(
+        "cancel", 1,
+        [this](const std_msgs::EmptyConstPtr&) { navigator_->Cancel(); });
+    inputs_->Listen(node, [this] { Cycle(); });
+    timer_ = node.createTimer(period_, [this](const ros::TimerEvent&) {
+      // Scans that keep away must not keep the watchdogs from running.
+      if (ros::Time::now() - last_cycle_ >= period_ || IsTimeReset()) Cycle();
+    });
+  }
+
+  void ServeReconfiguration() {
+    NavigatorParameters& values = parameters_.navigator;
+    const auto group = [this](const std::string& name) {
+      return ros::NodeHandle(getPrivateNodeHandle(), name);
+    };
+    limits_ = std::make_unique<Reconfiguration<LimitsConfig>>(
+        group("limits"), ToConfig(values.limits),
+        [this, &values](const LimitsConfig& config) {
+          Apply(config, values.limits);
+          navigator_->SetParameters(values);
+        });
+    goal_ = std::make_unique<Reconfiguration<GoalConfig>>(
+        group("goal"), ToConfig(values.goal),
+        [this, &values](const GoalConfig& config) {
+          values.goal.tolerance = config.tolerance;
+          values.goal.xy_goal_tolerance = config.xy_goal_tolerance;
+          values.goal.yaw_goal_tolerance = config.yaw_goal_tolerance;
+          navigator_->SetParameters(values);
+        });
+    safety_ = std::make_unique<Reconfiguration<SafetyConfig>>(
+        group("safety"), ToConfig(values.safety),
+        [this, &values](const SafetyConfig& config) {
+          values.safety.margin = config.margin;
+          navigator_->SetParameters(values);
+        });
+  }
+
+  void OnTrajectory(const QuinticTrajectory& message) {
+    try {
+      const std::string& frame = parameters_.frames.map_frame;
+      if (message.header.frame_id != frame) {
+        throw MessageError("its frame is '" + message.header.frame_id +
+                           "'; expected '" + frame + "'");
+      }
+      navigator_->SetTrajectory(static_cast<int>(message.request_id),
+                                ToTrajectory(message));
+    } catch (const MessageError& error) {
+      NODELET_WARN_THROTTLE(10.0, "a trajectory is dropped: %s", error.what());
+    }
+  }
+
+  bool OnPause(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+    navigator_->Pause();
+    return true;
+  }
+
+  bool OnResume(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+    navigator_->Resume();
+    return true;
+  }
+
+  bool IsTimeReset() const {
+    return ros::Time::now() + ros::Duration(1.0) < last_cycle_;
+  }
+
+  void Cycle() {
+    if (IsTimeReset()) BeginAnew();
+    // The clock's message may come after the scan of that moment.
+    const ros::Time time =
+        std::max({ros::Time::now(), inputs_->scan_stamp(), last_cycle_});
+    if (time.isZero()) return;
+    last_cycle_ = time;
+    monitor_->Count(time);
+    const NavigatorInput input = inputs_->At(time);
+    const NavigatorOutput output = navigator_->Update(input);
+    Act(output);
+    ReportPose(input, time);
+    Show(output.status, time);
+  }
+
+  /// A simulation was reset: what was going on belongs to a time that is to
+  /// come again.
+  void BeginAnew() {
+    NODELET_WARN("time went back: navigation begins anew");
+    inputs_->Forget();
+    goals_->Abort("time went back");
+    navigator_ = std::make_unique<Navigator>(parameters_.navigator);
+    last_cycle_ = ros::Time();
+    is_moving_ = false;
+  }
+
+  void Act(const NavigatorOutput& output) {
+    if (output.command) {
+      command_publisher_.publish(ToTwistMessage(*output.command));
+      is_moving_ = output.command->v != 0.0 || output.command->w != 0.0;
+    }
+    if (output.request) {
+      // A stamp of its own for every question, also within one tick of a clock.
+      query_stamp_ = std::max(last_cycle_, query_stamp_ + ros::Duration(0, 1));
+      query_publisher_.publish(ToQueryMessage(*output.request, query_stamp_,
+                                              parameters_.frames.map_frame));
+    }
+    if (output.result) goals_->Finish(*output.result);
+  }
+
+  void ReportPose(const NavigatorInput& input, const ros::Time& time) {
+    if (!input.map_from_odom || !input.odometry_stamp) return;
+    geometry_msgs::PoseStamped pose;
+    pose.header.stamp = time;
+    pose.header.frame_id = parameters_.frames.map_frame;
+    pose.pose = ToPoseMessage(*input.map_from_odom * input.odom_from_base);
+    goals_->Report(pose);
+  }
+
+  void Show(const NavigatorStatus& status, const ros::Time& time) {
+    std_msgs::Header in_map;
+    in_map.stamp = time;
+    in_map.frame_id = parameters_.frames.map_frame;
+    state_publisher_.publish(
+        ToStateMessage(status, in_map, inputs_->scan_stamp()));
+    std_msgs::Header in_base = in_map;
+    in_base.frame_id = parameters_.frames.base_frame;
+    if (footprint_publisher_.getNumSubscribers() > 0) {
+      footprint_publisher_.publish(
+          ToPolygonMessage(parameters_.navigator.footprint, in_base));
+    }
+    ShowHistogram(status, in_base);
+  }
+
+  void ShowHistogram(const NavigatorStatus& status,
+                     const std_msgs::Header& in_base) {
+    const bool is_avoiding = !status.vfh_histogram.empty();
+    if (is_avoiding) {
+      histogram_publisher_.publish(ToHistogramMarkers(status, in_base));
+    } else if (is_histogram_shown_) {
+      histogram_publisher_.publish(ClearedMarkers(in_base));
+    }
+    is_histogram_shown_ = is_avoiding;
+  }
+
+  NavigatorNodeletParameters parameters_;
+  ros::Duration period_;
+  std::unique_ptr<Navigator> navigator_;
+  ros::Time last_cycle_;
+  ros::Time query_stamp_;
+  bool is_moving_ = false;  ///< by the last command.
+  bool is_histogram_shown_ = false;
+
+  ros::Publisher command_publisher_;
+  ros::Publisher query_publisher_;
+  ros::Publisher state_publisher_;
+  ros::Publisher footprint_publisher_;
+  ros::Publisher histogram_publisher_;
+  std::unique_ptr<RobotInputs> inputs_;
+  std::unique_ptr<CycleMonitor> monitor_;
+  std::unique_ptr<GoalServer> goals_;
+  std::unique_ptr<Reconfiguration<LimitsConfig>> limits_;
+  std::unique_ptr<Reconfiguration<GoalConfig>> goal_;
+  std::unique_ptr<Reconfiguration<SafetyConfig>> safety_;
+  ros::ServiceServer pause_service_;
+  ros::ServiceServer resume_service_;
+  ros::Subscriber trajectory_subscriber_;
+  ros::Subscriber failure_subscriber_;
+  ros::Subscriber cancel_subscriber_;
+  ros::Timer timer_;
+};
+
+}  // namespace vfh_astar
+
+PLUGINLIB_EXPORT_CLASS(vfh_astar::NavigatorNodelet, nodelet::Nodelet)
