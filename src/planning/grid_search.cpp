@@ -20,12 +20,14 @@ constexpr StepCost kLongestStep =
 // kilometres of free path.
 constexpr StepCost kFarthest = kUnreached / 2 - kLongestStep;
 
-// A thirty-fifth of a free step per bucket: fine enough that hardly a node is
-// expanded twice.
-constexpr int kBucketBits = 6;
+// An eighteenth of a free step per bucket: fine enough that hardly a node is
+// expanded twice, and few enough buckets to stay in the cache.
+constexpr int kBucketBits = 7;
 
 // Expansions between two looks at the cancel flag, well under 10 ms.
 constexpr std::int64_t kPollMask = 1023;
+
+constexpr std::uint64_t kGenerations = 1 << 24;
 
 // Stands for the step that led to the start.
 constexpr std::uint8_t kNoDirection = kDirections;
@@ -72,8 +74,8 @@ void GridSearch::Prepare(const CostMap& costs) {
   }
   geometry_ = costs.geometry();
   stride_ = costs.stride();
-  if (++generation_ == 0) {
-    std::memset(static_cast<void*>(nodes_.get()), 0, size * sizeof(Node));
+  if (++generation_ == kGenerations) {
+    std::memset(nodes_.get(), 0, size * sizeof(Node));
     generation_ = 1;
   }
 }
@@ -95,7 +97,7 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   goal_ = goal;
   goal_cost_ = kUnreached;
   tight_level_ = passages.TightLevel(costs);
-  nodes_[costs.Index(start)] = {0, generation_, kNoDirection};
+  nodes_[costs.Index(start)] = MakeNode(0, kNoDirection);
   if (start == goal) goal_cost_ = 0;
   const StepCost first_key = Heuristic(start.x, start.y);
   open_.Restart(first_key);
@@ -105,7 +107,7 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   SearchResult result;
   while (!open_.empty() && open_.LeastKey() < goal_cost_) {
     const Open open = open_.Pop();
-    if (nodes_[costs.Index({open.x, open.y})].cost != open.cost) continue;
+    if (CostOf(nodes_[costs.Index({open.x, open.y})]) != open.cost) continue;
     if ((result.nodes_expanded & kPollMask) == 0 && cancelled && *cancelled) {
       result.status = SearchStatus::kCancelled;
       return result;
@@ -116,7 +118,7 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   if (goal_cost_ == kUnreached) return result;
   result.status = SearchStatus::kFound;
   result.cost = goal_cost_;
-  result.cells = PathToGoal(start);
+  result.cells = PathToGoal(start, costs);
   return result;
 }
 
@@ -126,7 +128,7 @@ void GridSearch::Expand(const Open& open, const CostMap& costs,
   const std::size_t index = costs.Index({open.x, open.y});
   const CostMap::Level* const levels = costs.levels().data() + index;
   const CostMap::Level here = levels[0];
-  const unsigned behind = Behind(nodes_[index].direction);
+  const unsigned behind = Behind(nodes_[index] & 0xff);
   for (unsigned left = OpenDirections(levels, stride_); left != 0;
        left &= left - 1) {
     const int direction = __builtin_ctz(left);
@@ -138,12 +140,13 @@ void GridSearch::Expand(const Open& open, const CostMap& costs,
     if ((behind >> direction & 1) != 0 && level < tight_level_) continue;
     const StepCost cost = open.cost + CostOfStep(here, level, direction);
     Node& node = nodes_[index + offset];
-    if (node.generation == generation_ && node.cost <= cost) continue;
+    const Node news = MakeNode(cost, 0);
+    if (news <= node) continue;
     const Cell cell{open.x + step.x, open.y + step.y};
     const StepCost key = cost + Heuristic(cell.x, cell.y);
     if (key >= goal_cost_) continue;
     if (level >= tight_level_ && !passages.Fits(cell, direction)) continue;
-    node = {cost, generation_, static_cast<std::uint8_t>(direction)};
+    node = news | static_cast<Node>(direction);
     if (cell == goal_) {
       goal_cost_ = cost;
     } else {
@@ -153,14 +156,12 @@ void GridSearch::Expand(const Open& open, const CostMap& costs,
   }
 }
 
-std::vector<Cell> GridSearch::PathToGoal(const Cell& start) const {
+std::vector<Cell> GridSearch::PathToGoal(const Cell& start,
+                                         const CostMap& costs) const {
   std::vector<Cell> cells = {goal_};
   while (cells.back() != start) {
     const Cell& cell = cells.back();
-    const Cell& step =
-        kSteps[nodes_[static_cast<std::size_t>(cell.y + 1) * stride_ + cell.x +
-                      1]
-                   .direction];
+    const Cell& step = kSteps[nodes_[costs.Index(cell)] & 0xff];
     cells.push_back({cell.x - step.x, cell.y - step.y});
   }
   std::reverse(cells.begin(), cells.end());
@@ -168,8 +169,9 @@ std::vector<Cell> GridSearch::PathToGoal(const Cell& start) const {
 }
 
 bool GridSearch::IsReached(const Cell& cell) const {
-  return nodes_[static_cast<std::size_t>(cell.y + 1) * stride_ + cell.x + 1]
-             .generation == generation_;
+  return nodes_[static_cast<std::size_t>(cell.y + 1) * stride_ + cell.x + 1] >>
+             40 ==
+         generation_;
 }
 
 }  // namespace vfh_astar

@@ -1,27 +1,48 @@
 #include "vfh_astar/planning/passage_check.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "vfh_astar/grid/footprint_rows.h"
+
 namespace vfh_astar {
 
 PassageCheck::PassageCheck(const Footprint& footprint, const Pose2D& start,
                            const ClearanceMap& clearance)
     : footprint_(footprint),
-      circumscribed_radius_(footprint.CircumscribedRadius()),
+      circumscribed_radius_(
+          static_cast<float>(footprint.CircumscribedRadius())),
       start_(start),
       clearance_(clearance) {
+  const double resolution = clearance.geometry().resolution;
   for (int heading = 0; heading < kHeadings; ++heading) {
+    std::vector<Covered>& covered = covered_[heading];
     const Pose2D turned(0.0, 0.0, heading * 2.0 * kPi / kHeadings);
-    VisitFootprintRows(footprint, turned, clearance.geometry().resolution,
-                       [this, heading](const CellRow& row) {
-                         rows_[heading].push_back(row);
-                         return true;
-                       });
+    VisitFootprintRows(
+        footprint, turned, resolution, [&covered, resolution](CellRow row) {
+          for (int x = row.first; x <= row.last; ++x) {
+            covered.push_back(
+                {{x, row.y},
+                 static_cast<float>(resolution * std::hypot(x, row.y))});
+          }
+          return true;
+        });
+    std::sort(covered.begin(), covered.end(),
+              [](const Covered& a, const Covered& b) {
+                return a.distance > b.distance;
+              });
   }
 }
 
 bool PassageCheck::FitsAt(const Cell& cell, int heading) const {
-  for (const CellRow& row : rows_[(heading + kHeadings) % kHeadings]) {
-    if (!clearance_.IsRowFree(
-            {row.y + cell.y, row.first + cell.x, row.last + cell.x})) {
+  // Nearer than the clearance no cell is occupied; most checks are over after
+  // the corners.
+  constexpr float kRounding = 1e-4f;
+  const float clear = static_cast<float>(clearance_.At(cell)) - kRounding;
+  for (const Covered& covered : covered_[(heading + kHeadings) % kHeadings]) {
+    if (covered.distance < clear) return true;
+    const Cell at{cell.x + covered.offset.x, cell.y + covered.offset.y};
+    if (clearance_.geometry().Contains(at) && clearance_.IsOccupied(at)) {
       return false;
     }
   }

@@ -62,10 +62,8 @@ class ClearanceMap {
   bool IsFree(const Footprint& footprint, const Pose2D& pose,
               double margin) const;
 
-  /// True when no cell of a row is occupied; cells outside the map are not.
-  bool IsRowFree(const CellRow& row) const;
-
  private:
+  bool IsRowFree(const CellRow& row) const;
   void Recompute(const cv::Rect& window);
 
   /// Cells that an obstacle reaches: max_distance, rounded up.

@@ -44,11 +44,11 @@ class GridSearch {
   bool IsReached(const Cell& cell) const;
 
  private:
-  struct Node {
-    StepCost cost;             ///< from the start, as far as known.
-    std::uint16_t generation;  ///< of the search that wrote it.
-    std::uint8_t direction;    ///< of the step that led here.
-  };
+  /// In one word, so that one comparison tells whether a way is news: the
+  /// search that wrote it (24 bits, later ones are greater), the cost's
+  /// complement (32 bits, cheaper ones are greater), the direction of the step
+  /// that led here (8 bits). Zero is a node that no search has come to.
+  using Node = std::uint64_t;
   struct Open {
     std::uint16_t x;
     std::uint16_t y;
@@ -58,16 +58,23 @@ class GridSearch {
     void operator()(Node* nodes) const { std::free(nodes); }
   };
 
+  Node MakeNode(StepCost cost, int direction) const {
+    return generation_ << 40 | Node{~cost} << 8 | static_cast<Node>(direction);
+  }
+  static StepCost CostOf(Node node) {
+    return ~static_cast<StepCost>(node >> 8);
+  }
+
   void Prepare(const CostMap& costs);
   void Expand(const Open& open, const CostMap& costs,
               const PassageCheck& passages);
   StepCost Heuristic(int x, int y) const;
-  std::vector<Cell> PathToGoal(const Cell& start) const;
+  std::vector<Cell> PathToGoal(const Cell& start, const CostMap& costs) const;
 
   GridGeometry geometry_;
   int stride_ = 0;
   std::unique_ptr<Node[], Free> nodes_;
-  std::uint16_t generation_ = 0;
+  std::uint64_t generation_ = 0;
   BucketQueue<Open> open_;
   // Of the present search:
   Cell goal_;

@@ -38,18 +38,24 @@ class PassageCheck {
   }
 
  private:
-  // The rectangle over a cell's centre at headings of a quarter of the angle
-  // between two directions.
+  /// A cell under the rectangle, from the one under its centre.
+  struct Covered {
+    Cell offset;
+    float distance;  ///< m between the two cells' centres.
+  };
+
+  // Headings of a quarter of the angle between two directions.
   static constexpr int kHeadingsPerDirection = 4;
   static constexpr int kHeadings = kDirections * kHeadingsPerDirection;
 
   bool FitsAt(const Cell& cell, int heading) const;
 
   Footprint footprint_;
-  double circumscribed_radius_;
-  std::array<std::vector<CellRow>, kHeadings> rows_;
+  float circumscribed_radius_;
   Pose2D start_;
   const ClearanceMap& clearance_;
+  /// By heading, over a cell's centre, the farthest cells first.
+  std::array<std::vector<Covered>, kHeadings> covered_;
 };
 
 }  // namespace vfh_astar
