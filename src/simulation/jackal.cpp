@@ -17,6 +17,14 @@ constexpr double kBumperFriction = 0.3;
 /// m/s of slip below which a tyre's force has no direction to speak of.
 constexpr double kNoSlip = 1e-6;
 
+/// The share of a tyre's greatest force that one direction may have. Never
+/// nothing: ODE's solver fails on a contact without any friction.
+double ShareOfSlip(double component, double speed) {
+  constexpr double kLeastShare = 0.02;
+  if (speed < kNoSlip) return 1.0;
+  return std::max(kLeastShare, std::abs(component) / speed);
+}
+
 /// ODE wants to be initialised once in a process, and by each thread.
 void InitializeOde() {
   static const bool initialized = dInitODE2(0) != 0;
@@ -36,7 +44,7 @@ PhysicsWorld::PhysicsWorld() {
   handles_ = std::make_unique<Handles>();
   dWorldSetGravity(handles_->world, 0.0, 0.0, -kGravity);
   dWorldSetERP(handles_->world, 0.2);
-  dWorldSetCFM(handles_->world, 1e-9);
+  dWorldSetCFM(handles_->world, 1e-7);
 }
 
 PhysicsWorld::~PhysicsWorld() {
@@ -168,9 +176,8 @@ void Jackal::TouchGround() {
     const double cap = model_.friction * load;
     contact.surface.mode = dContactMu2 | dContactFDir1 | dContactSlip1 |
                            dContactSlip2 | dContactSoftERP | dContactSoftCFM;
-    contact.surface.mu = speed < kNoSlip ? cap : cap * std::abs(along) / speed;
-    contact.surface.mu2 =
-        speed < kNoSlip ? cap : cap * std::abs(across) / speed;
+    contact.surface.mu = cap * ShareOfSlip(along, speed);
+    contact.surface.mu2 = cap * ShareOfSlip(across, speed);
     contact.surface.slip1 = 1.0 / model_.tyre_slip_stiffness;
     contact.surface.slip2 = 1.0 / model_.tyre_slip_stiffness;
     contact.surface.soft_erp = 0.2;

@@ -1,0 +1,133 @@
+#include "vfh_astar/simulation/yaml_world.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "vfh_astar/simulation/mover_fields.h"
+#include "vfh_astar/simulation/solid_fields.h"
+#include "vfh_astar/simulation/world_fields.h"
+
+namespace vfh_astar {
+namespace {
+
+/// The entry's name, else its kind and its place in the list, from 1.
+std::string ReadName(const YamlField& field, const std::string& kind,
+                     std::size_t place) {
+  return field["name"].Exists() ? field["name"].Text()
+                                : kind + "_" + std::to_string(place + 1);
+}
+
+std::vector<std::string> WithName(std::vector<std::string> keys) {
+  keys.insert(keys.begin(), "name");
+  return keys;
+}
+
+std::vector<StaticObstacle> ReadObstacles(const YamlField& root,
+                                          const WorldLoadOptions& options) {
+  std::vector<StaticObstacle> obstacles;
+  for (const SolidKind& kind : SolidKinds()) {
+    const std::vector<YamlField> items = root[kind.plural].Items();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      items[i].AllowOnly(WithName(kind.keys));
+      obstacles.push_back(
+          {ReadName(items[i], kind.name, i), kind.read(items[i], options)});
+    }
+  }
+  return obstacles;
+}
+
+/// Names become namespaces.
+bool IsNamespace(const std::string& name) {
+  return std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '_';
+         });
+}
+
+std::vector<RobotStart> ReadRobots(const YamlField& field) {
+  std::vector<RobotStart> robots;
+  const std::vector<YamlField> items = field.Items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    items[i].AllowOnly({"name", "start"});
+    const RobotStart robot = {ReadName(items[i], "robot", i),
+                              ReadPose(items[i]["start"])};
+    if (!IsNamespace(robot.name)) {
+      items[i]["name"].Fail("a letter, then letters, digits or _");
+    }
+    robots.push_back(robot);
+  }
+  return robots;
+}
+
+std::vector<Mover> ReadMovers(const YamlField& field) {
+  std::vector<Mover> movers;
+  const std::vector<YamlField> items = field.Items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    movers.push_back(ReadMover(items[i], ReadName(items[i], "mover", i)));
+  }
+  return movers;
+}
+
+Eigen::Vector2d MiddleOf(const std::vector<Shape>& shapes) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Shape& shape : shapes) sum += shape.center;
+  return sum / static_cast<double>(shapes.size());
+}
+
+PopUp ReadPopUp(const YamlField& field, const std::string& name,
+                const WorldLoadOptions& options) {
+  field.AllowOnly({"name", "shape", "time", "approach"});
+  PopUp pop_up;
+  pop_up.name = name;
+  pop_up.shapes = ReadSolid(field["shape"], options);
+  const YamlField approach = field["approach"];
+  if (field["time"].Exists() == approach.Exists()) {
+    field.Fail("either time or approach");
+  }
+  if (field["time"].Exists()) {
+    pop_up.time = field["time"].Number(0.0, kLongestTime);
+    return pop_up;
+  }
+  approach.AllowOnly({"distance", "point"});
+  pop_up.approach_distance =
+      approach["distance"].Number(kSmallestSize, kFarthestPlace);
+  pop_up.approach_point = approach["point"].Exists()
+                              ? ReadPoint(approach["point"])
+                              : MiddleOf(pop_up.shapes);
+  return pop_up;
+}
+
+std::vector<PopUp> ReadPopUps(const YamlField& field,
+                              const WorldLoadOptions& options) {
+  std::vector<PopUp> pop_ups;
+  const std::vector<YamlField> items = field.Items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    pop_ups.push_back(
+        ReadPopUp(items[i], ReadName(items[i], "pop_up", i), options));
+  }
+  return pop_ups;
+}
+
+}  // namespace
+
+World ReadYamlWorld(const YamlField& root, const WorldLoadOptions& options) {
+  root["version"].Choice({"1"});
+  std::vector<std::string> keys = {"version", "name",   "goal",
+                                   "robots",  "movers", "pop_ups"};
+  for (const SolidKind& kind : SolidKinds()) keys.push_back(kind.plural);
+  root.AllowOnly(keys);
+
+  World world;
+  if (root["name"].Exists()) world.name = root["name"].Text();
+  world.obstacles = ReadObstacles(root, options);
+  world.movers = ReadMovers(root["movers"]);
+  world.pop_ups = ReadPopUps(root["pop_ups"], options);
+  world.robots = ReadRobots(root["robots"]);
+  if (root["goal"].Exists()) {
+    const Pose2D start = world.robots.empty() ? Pose2D() : world.robots[0].pose;
+    world.goal = ReadGoal(root["goal"], start);
+  }
+  return world;
+}
+
+}  // namespace vfh_astar

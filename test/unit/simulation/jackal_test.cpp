@@ -1,0 +1,91 @@
+#include "vfh_astar/simulation/jackal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vfh_astar {
+namespace {
+
+constexpr double kStep = 0.002;
+
+class JackalTest : public testing::Test {
+ protected:
+  JackalTest() : robot_(&world_, JackalModel(), {1.0, 2.0, 0.5}) {}
+
+  void Drive(const Twist2D& command, double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep)); ++i) {
+      robot_.Control(command, kStep);
+      robot_.TouchGround();
+      world_.Step(kStep);
+      robot_.CountWheelTurns(kStep);
+    }
+  }
+
+  PhysicsWorld world_;
+  Jackal robot_;
+};
+
+TEST_F(JackalTest, StandsStillForTenMinutes) {
+  Drive({0.0, 0.0}, 600.0);
+  EXPECT_NEAR(robot_.pose().x, 1.0, 1e-3);
+  EXPECT_NEAR(robot_.pose().y, 2.0, 1e-3);
+  EXPECT_NEAR(robot_.pose().theta, 0.5, 1e-3);
+  EXPECT_NEAR(robot_.twist().v, 0.0, 1e-6);
+}
+
+TEST_F(JackalTest, DrivesWhatIsCommanded) {
+  for (const Twist2D& command : {Twist2D{1.0, 0.0},
+                                 {2.0, 0.0},
+                                 {-0.5, 0.0},
+                                 {0.0, 1.0},
+                                 {0.0, -3.5},
+                                 {1.0, 1.0},
+                                 {1.5, 2.0},
+                                 {2.0, -1.0}}) {
+    Drive(command, 2.0);
+    const Twist2D twist = robot_.twist();
+    EXPECT_NEAR(twist.v, command.v, 0.05 * std::abs(command.v) + 1e-3);
+    EXPECT_NEAR(twist.w, command.w, 0.05 * std::abs(command.w) + 1e-3);
+  }
+}
+
+TEST_F(JackalTest, ReachesItsSpeedInTheTimeThatGripAllows) {
+  Drive({2.0, 0.0}, 0.1);
+  EXPECT_LT(robot_.twist().v, 1.2 * 9.81 * 0.1)
+      << "no more than friction gives";
+  Drive({2.0, 0.0}, 0.4);
+  EXPECT_GT(robot_.twist().v, 1.9);
+}
+
+TEST_F(JackalTest, IsLimitedToWhatItsControllerAllows) {
+  Drive({9.0, 0.0}, 3.0);
+  EXPECT_NEAR(robot_.twist().v, 2.0, 0.02);
+}
+
+TEST_F(JackalTest, WheelTurnsMeasureTheWay) {
+  const Eigen::Vector2d start = robot_.pose().position();
+  Drive({1.0, 0.0}, 3.0);
+  Drive({0.0, 0.0}, 1.0);
+  const double driven = (robot_.pose().position() - start).norm();
+  EXPECT_NEAR(robot_.wheel_angles()[0] * robot_.model().wheel_radius, driven,
+              0.03 * driven);
+}
+
+TEST_F(JackalTest, PushesAgainstAWallWithoutPassingIt) {
+  const Shape wall = MakeBox({3.0, 2.0, 0.0}, {0.1, 10.0});
+  robot_.Place({2.0, 2.0, 0.0});
+  for (int i = 0; i < 1500; ++i) {
+    robot_.Control({1.0, 0.0}, kStep);
+    robot_.TouchGround();
+    for (const ContactPoint& contact : FindContact(robot_.Outline(), wall)) {
+      robot_.Touch(contact);
+    }
+    world_.Step(kStep);
+  }
+  EXPECT_NEAR(robot_.pose().x, 2.95 - robot_.model().footprint.front, 0.02);
+  EXPECT_NEAR(robot_.twist().v, 0.0, 0.02);
+}
+
+}  // namespace
+}  // namespace vfh_astar

@@ -1,0 +1,211 @@
+#include "vfh_astar/simulation/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vfh_astar {
+namespace {
+
+World EmptyWorld() {
+  World world;
+  world.robots.push_back({"jackal", {0.0, 0.0, 0.0}});
+  return world;
+}
+
+/// A wall 3 m ahead of the robot's centre.
+World WallWorld() {
+  World world = EmptyWorld();
+  world.obstacles.push_back({"wall", {MakeBox({3.05, 0.0, 0.0}, {0.1, 20.0})}});
+  return world;
+}
+
+void Drive(Simulation* simulation, double seconds,
+         const Twist2D& command = Twist2D()) {
+  const double end = simulation->time() + seconds;
+  while (simulation->time() < end - 1e-9) {
+    simulation->SetCommand(0, command);
+    simulation->Step();
+  }
+}
+
+TEST(SimulationTest, TheScanSeesTheWallWhereItIs) {
+  Simulation simulation(WallWorld(), {});
+  Drive(&simulation, 0.1);
+  const LaserScan& scan = simulation.scan(0);
+  ASSERT_EQ(scan.ranges.size(), 1080u);
+  const double x = simulation.TruePose(0).x + 0.055;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const double angle = scan.Angle(beam);
+    const double expected = (3.0 - x) / std::cos(angle);
+    if (std::abs(angle) < 1.2) {
+      EXPECT_NEAR(scan.ranges[beam], expected, 2e-3) << angle;
+    } else if (std::abs(angle) > 1.7) {
+      EXPECT_TRUE(std::isinf(scan.ranges[beam])) << angle;
+    }
+  }
+}
+
+TEST(SimulationTest, SensorsComeAtTheirRates) {
+  Simulation simulation(EmptyWorld(), {});
+  int scans = 0;
+  int readings = 0;
+  while (simulation.time() < 10.0 - 1e-9) {
+    const StepEvents events = simulation.Step();
+    scans += events.scan ? 1 : 0;
+    readings += events.odometry ? 1 : 0;
+  }
+  EXPECT_EQ(scans, 400);
+  EXPECT_EQ(readings, 500);
+}
+
+TEST(SimulationTest, ACommandTimesOut) {
+  Simulation simulation(EmptyWorld(), {});
+  Drive(&simulation, 1.0, {1.0, 0.0});
+  EXPECT_GT(simulation.TrueTwist(0).v, 0.9);
+  while (simulation.time() < 1.6) simulation.Step();
+  EXPECT_NEAR(simulation.TrueTwist(0).v, 0.0, 0.01);
+}
+
+TEST(SimulationTest, CollisionIsReportedWhenTheFootprintTouches) {
+  Simulation simulation(WallWorld(), {});
+  const double touch = 3.0 - Footprint().front;
+  while (!simulation.collision(0) && simulation.time() < 10.0) {
+    simulation.SetCommand(0, {1.0, 0.0});
+    simulation.Step();
+    if (simulation.TruePose(0).x < touch - 0.003) {
+      EXPECT_FALSE(simulation.collision(0).has_value());
+    }
+  }
+  ASSERT_TRUE(simulation.collision(0).has_value());
+  EXPECT_NEAR(simulation.TruePose(0).x, touch, 0.006);
+  EXPECT_EQ(simulation.collision(0)->with, "wall");
+  EXPECT_NEAR(simulation.collision(0)->robot_speed, 1.0, 0.05);
+}
+
+TEST(SimulationTest, ClearanceByHand) {
+  Simulation simulation(WallWorld(), {});
+  Drive(&simulation, 0.02);
+  EXPECT_NEAR(simulation.Clearance(0), 3.0 - Footprint().front, 1e-3);
+}
+
+TEST(SimulationTest, CleanFilteredOdometryFollowsTheTruth) {
+  Simulation simulation(EmptyWorld(), {});
+  double driven = 0.0;
+  for (int lap = 0; lap < 10; ++lap) {
+    Drive(&simulation, 2.0, {1.5, 0.0});
+    Drive(&simulation, 1.0, {1.0, 1.5});
+    Drive(&simulation, 1.0, {0.0, -2.0});
+    driven += 4.0;
+  }
+  Drive(&simulation, 1.0);
+  const Pose2D error =
+      simulation.TruePose(0).Inverse() * simulation.filtered_odometry(0).pose;
+  EXPECT_LT(error.position().norm(), 0.02 * driven);
+  EXPECT_LT(std::abs(error.theta), 0.02);
+}
+
+TEST(SimulationTest, ExperimentOdometryDrifts) {
+  SimulationParameters parameters;
+  parameters.noise = NoisePreset("experiment");
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    parameters.seed = seed;
+    Simulation simulation(EmptyWorld(), parameters);
+    for (int side = 0; side < 8; ++side) {
+      Drive(&simulation, 3.0, {1.0, 0.0});
+      Drive(&simulation, 1.0, {0.0, 0.5 * kPi});
+    }
+    Drive(&simulation, 0.5);
+    const double drift = (simulation.TruePose(0).position() -
+                          simulation.filtered_odometry(0).pose.position())
+                             .norm();
+    // 24 m are driven.
+    EXPECT_GT(drift, 0.02 * 24.0 * 0.3) << "a closed path hides part of it";
+    EXPECT_LT(drift, 0.06 * 24.0);
+  }
+}
+
+TEST(SimulationTest, SameSeedSameRun) {
+  SimulationParameters parameters;
+  parameters.noise = NoisePreset("experiment");
+  parameters.seed = 42;
+  World world = WallWorld();
+  world.obstacles.push_back({"post", {MakeDisc({1.2, 0.3}, 0.1)}});
+  Simulation first(world, parameters);
+  Simulation second(world, parameters);
+  Drive(&first, 3.0, {0.8, 0.3});
+  Drive(&second, 3.0, {0.8, 0.3});
+  EXPECT_EQ(first.TruePose(0).x, second.TruePose(0).x);
+  EXPECT_EQ(first.filtered_odometry(0).pose.theta,
+            second.filtered_odometry(0).pose.theta);
+  EXPECT_EQ(first.scan(0).ranges, second.scan(0).ranges);
+  second.Reset(42);
+  Drive(&second, 3.0, {0.8, 0.3});
+  EXPECT_EQ(first.TruePose(0).y, second.TruePose(0).y);
+  second.Reset(43);
+  Drive(&second, 3.0, {0.8, 0.3});
+  EXPECT_NE(first.scan(0).ranges, second.scan(0).ranges);
+}
+
+TEST(SimulationTest, SetPoseRefusesAnOccupiedPlace) {
+  Simulation simulation(WallWorld(), {});
+  Drive(&simulation, 0.1);
+  EXPECT_FALSE(simulation.SetPose(0, {2.9, 0.0, 0.0}));
+  EXPECT_NEAR(simulation.TruePose(0).x, 0.0, 1e-3);
+  EXPECT_TRUE(simulation.SetPose(0, {-1.0, 1.0, 1.0}));
+  Drive(&simulation, 0.1);
+  EXPECT_NEAR(simulation.TruePose(0).y, 1.0, 1e-3);
+}
+
+TEST(SimulationTest, SpawnAndDelete) {
+  Simulation simulation(EmptyWorld(), {});
+  Drive(&simulation, 0.1);
+  const StaticObstacle post{"post", {MakeDisc({2.0, 0.0}, 0.2)}};
+  EXPECT_FALSE(simulation.Spawn({"on_the_robot", {MakeDisc({0, 0}, 0.2)}}));
+  EXPECT_TRUE(simulation.Spawn(post));
+  EXPECT_FALSE(simulation.Spawn(post)) << "the name is taken";
+  Drive(&simulation, 0.1);
+  EXPECT_NEAR(simulation.scan(0).ranges[540], 1.8 - 0.055, 0.01);
+  EXPECT_TRUE(simulation.Delete("post"));
+  EXPECT_FALSE(simulation.Delete("post"));
+  Drive(&simulation, 0.1);
+  EXPECT_TRUE(std::isinf(simulation.scan(0).ranges[540]));
+}
+
+TEST(SimulationTest, APopUpAppearsOnApproach) {
+  World world = EmptyWorld();
+  PopUp pop_up;
+  pop_up.name = "box";
+  pop_up.shapes = {MakeBox({5.0, 0.0, 0.0}, {0.4, 0.4})};
+  pop_up.approach_point = {5.0, 0.0};
+  pop_up.approach_distance = 3.0;
+  world.pop_ups.push_back(pop_up);
+  Simulation simulation(world, {});
+  while (simulation.TruePose(0).x < 1.9) {
+    simulation.SetCommand(0, {1.0, 0.0});
+    simulation.Step();
+  }
+  EXPECT_TRUE(std::isinf(simulation.scan(0).ranges[540]));
+  Drive(&simulation, 0.3, {1.0, 0.0});
+  EXPECT_FALSE(std::isinf(simulation.scan(0).ranges[540]));
+}
+
+TEST(SimulationTest, TwoRobotsSeeAndTouchEachOther) {
+  World world = EmptyWorld();
+  world.robots.push_back({"other", {3.0, 0.0, kPi}});
+  Simulation simulation(world, {});
+  Drive(&simulation, 0.1);
+  EXPECT_NEAR(simulation.scan(0).ranges[540], 3.0 - Footprint().front - 0.055,
+              0.01);
+  EXPECT_NEAR(simulation.scan(1).ranges[540], 3.0 - Footprint().front - 0.055,
+              0.01);
+  Drive(&simulation, 4.0, {1.0, 0.0});
+  ASSERT_TRUE(simulation.collision(0).has_value());
+  EXPECT_EQ(simulation.collision(0)->with, "other");
+  EXPECT_EQ(simulation.collision(1)->with, "jackal");
+  EXPECT_GT(simulation.TruePose(1).x, 3.0) << "pushed away";
+}
+
+}  // namespace
+}  // namespace vfh_astar
