@@ -40,8 +40,7 @@ YamlField YamlField::LoadFile(const std::string& file) {
   // A folder can be opened; only reading from it fails.
   stream.peek();
   if (!stream.is_open() || stream.bad()) {
-    throw YamlFieldError(file +
-                         ": cannot be read; expected a readable YAML file");
+    throw YamlFieldError(file + ": cannot be read; expected a readable file");
   }
   const std::string text((std::istreambuf_iterator<char>(stream)),
                          std::istreambuf_iterator<char>());

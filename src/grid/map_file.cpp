@@ -156,11 +156,12 @@ std::string DrawPgm(const OccupancyGrid& map) {
 
 /// The shortest text that reads back as the same number.
 std::string ToText(double value) {
-  std::ostringstream text;
   for (int digits = std::numeric_limits<double>::digits10;; ++digits) {
-    text.str("");
+    std::stringstream text;
     text << std::setprecision(digits) << value;
-    if (std::stod(text.str()) == value) return text.str();
+    double back = 0.0;
+    text >> back;
+    if (back == value) return text.str();
   }
 }
 

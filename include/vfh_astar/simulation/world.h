@@ -79,7 +79,9 @@ struct WorldLoadOptions {
 /// Reads a world by what the file is: a world of this package (YAML with a
 /// `version`), a Gazebo `.world` (its static boxes and cylinders), a DynaBARN
 /// world (JSON with `obstacles` and `keyframes_t_x_y`), or a map_server map
-/// (YAML with an `image`), whose solid pixels become walls.
+/// (YAML with an `image`), whose solid pixels become walls. A file that names
+/// no robot gets one, `robot_1`, at (0, 0, 0): where it really starts is then
+/// the caller's to say, as that place need not be free.
 /// @throws WorldFileError, or MapFileError for the image of a map.
 World LoadWorld(const std::string& file, const WorldLoadOptions& options = {});
 
