@@ -1,0 +1,94 @@
+#include "benchmark/drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vfh_astar {
+namespace {
+
+Sensing SensingOf(const Simulation& simulation) {
+  const OdometryReading& odometry = simulation.filtered_odometry(0);
+  Sensing sensing;
+  sensing.scan = simulation.scan(0);
+  sensing.base_from_laser = simulation.parameters().laser.mount;
+  sensing.odometry_stamp = odometry.stamp;
+  sensing.odom_from_base = odometry.pose;
+  sensing.twist = odometry.twist;
+  return sensing;
+}
+
+/// Adds up what is measured along a drive.
+class Measurement {
+ public:
+  void AddMotion(const Simulation& simulation) {
+    const Eigen::Vector2d position = simulation.TruePose(0).position();
+    if (last_position_) path_ += (position - *last_position_).norm();
+    last_position_ = position;
+    min_clearance_ = std::min(min_clearance_, simulation.Clearance(0));
+  }
+
+  void AddCycle(const NavigatorStatus& status) {
+    if (status.state != State::kTracking) return;
+    const double error = status.error.head<2>().norm();
+    squared_error_ += error * error;
+    max_error_ = std::max(max_error_, error);
+    ++cycles_;
+  }
+
+  void WriteTo(DriveResult* result) const {
+    result->path = path_;
+    result->min_clearance = min_clearance_;
+    result->max_error = max_error_;
+    if (cycles_ > 0) result->rms_error = std::sqrt(squared_error_ / cycles_);
+  }
+
+ private:
+  std::optional<Eigen::Vector2d> last_position_;
+  double path_ = 0.0;
+  double min_clearance_ = std::numeric_limits<double>::infinity();
+  double squared_error_ = 0.0;
+  double max_error_ = 0.0;
+  int cycles_ = 0;
+};
+
+}  // namespace
+
+DriveResult Drive(const DriveTask& task) {
+  Simulation simulation(task.world, task.simulation);
+  NavigationStack stack(task.stack, task.world.robots.front().pose);
+  stack.SetGoal(task.goal);
+
+  DriveResult result;
+  result.outcome = "timeout";
+  Measurement measurement;
+  while (simulation.time() < task.time_limit) {
+    const StepEvents events = simulation.Step();
+    if (events.odometry) measurement.AddMotion(simulation);
+    if (simulation.collision(0)) {
+      result.collision = simulation.collision(0);
+      result.outcome = "collision";
+      result.message = "touched " + result.collision->with;
+      break;
+    }
+    if (!events.scan) continue;
+    const NavigatorOutput output = stack.Update(SensingOf(simulation));
+    if (output.command) simulation.SetCommand(0, *output.command);
+    measurement.AddCycle(output.status);
+    result.replans = output.status.replans;
+    result.samples.push_back({simulation.time(), simulation.TruePose(0),
+                              output.status.pose, simulation.TrueTwist(0),
+                              output.command.value_or(Twist2D()),
+                              output.status});
+    if (output.result) {
+      result.outcome = ToString(output.result->outcome);
+      result.message = output.result->message;
+      break;
+    }
+  }
+  result.time = simulation.time();
+  measurement.WriteTo(&result);
+  return result;
+}
+
+}  // namespace vfh_astar

@@ -1,0 +1,125 @@
+#include "benchmark/drive_command.h"
+
+#include <boost/program_options.hpp>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "benchmark/drive.h"
+
+namespace vfh_astar {
+namespace {
+
+namespace po = boost::program_options;
+
+po::options_description Options() {
+  po::options_description options("drive");
+  auto add = options.add_options();
+  add("world", po::value<std::string>()->required(), "world or map file");
+  add("start", po::value<std::string>(), "X,Y,YAW (m, rad)");
+  add("goal", po::value<std::string>(), "X,Y,YAW (m, rad)");
+  add("config", po::value<std::string>(), "parameters of the stack");
+  add("laser", po::value<std::string>()->default_value("paper"), "preset");
+  add("noise", po::value<std::string>()->default_value("clean"), "preset");
+  add("seed", po::value<std::uint32_t>()->default_value(1), "of all chance");
+  add("time-limit", po::value<double>()->default_value(100.0), "s");
+  add("trace", po::value<std::string>(), "CSV file for the drive's course");
+  return options;
+}
+
+Pose2D ParsePose(const std::string& option, const std::string& text) {
+  Pose2D pose;
+  char comma1 = 0;
+  char comma2 = 0;
+  std::istringstream stream(text);
+  stream >> pose.x >> comma1 >> pose.y >> comma2 >> pose.theta;
+  if (!stream || comma1 != ',' || comma2 != ',' || !stream.eof()) {
+    throw std::invalid_argument("--" + option + " is '" + text +
+                                "'; expected X,Y,YAW");
+  }
+  return pose;
+}
+
+DriveTask TaskFrom(const po::variables_map& options) {
+  DriveTask task;
+  task.world = LoadWorld(options["world"].as<std::string>());
+  if (options.count("start") != 0) {
+    task.world.robots.front().pose =
+        ParsePose("start", options["start"].as<std::string>());
+  }
+  if (options.count("goal") != 0) {
+    task.goal = ParsePose("goal", options["goal"].as<std::string>());
+  } else if (task.world.goal) {
+    task.goal = *task.world.goal;
+  } else {
+    throw std::invalid_argument("the world suggests no goal; expected --goal");
+  }
+  if (options.count("config") != 0) {
+    task.stack = LoadStackParameters(options["config"].as<std::string>());
+  }
+  task.simulation.laser = LaserPreset(options["laser"].as<std::string>());
+  task.simulation.noise = NoisePreset(options["noise"].as<std::string>());
+  task.simulation.seed = options["seed"].as<std::uint32_t>();
+  task.time_limit = options["time-limit"].as<double>();
+  return task;
+}
+
+void WriteTrace(const std::string& file, const DriveResult& result) {
+  std::ofstream stream(file);
+  stream << "time,x,y,theta,v,w,command_v,command_w,state,limited,e1,e2,e3,"
+            "clearance,reason\n";
+  for (const DriveSample& sample : result.samples) {
+    const NavigatorStatus& status = sample.status;
+    stream << sample.time << ',' << sample.pose.x << ',' << sample.pose.y << ','
+           << sample.pose.theta << ',' << sample.twist.v << ','
+           << sample.twist.w << ',' << sample.command.v << ','
+           << sample.command.w << ',' << ToString(status.state) << ','
+           << status.limited << ',' << status.error[0] << ',' << status.error[1]
+           << ',' << status.error[2] << ',' << status.clearance << ",\""
+           << status.reason << "\"\n";
+  }
+  if (!stream) throw std::runtime_error("cannot write the trace " + file);
+}
+
+nlohmann::json ToJson(const DriveResult& result) {
+  nlohmann::json json = {{"outcome", result.outcome},
+                         {"message", result.message},
+                         {"time_s", result.time},
+                         {"path_m", result.path},
+                         {"min_clearance_m", result.min_clearance},
+                         {"replans", result.replans},
+                         {"rms_error_m", result.rms_error},
+                         {"max_error_m", result.max_error}};
+  if (result.collision) {
+    json["collision"] = {{"time_s", result.collision->time},
+                         {"with", result.collision->with},
+                         {"robot_speed", result.collision->robot_speed}};
+  }
+  return json;
+}
+
+}  // namespace
+
+int RunDriveCommand(const std::vector<std::string>& arguments) {
+  po::variables_map options;
+  DriveTask task;
+  try {
+    po::store(po::command_line_parser(arguments).options(Options()).run(),
+              options);
+    po::notify(options);
+    task = TaskFrom(options);
+  } catch (const std::logic_error& error) {
+    std::cerr << "drive: " << error.what() << "\n" << Options();
+    return 2;
+  }
+  const DriveResult result = Drive(task);
+  if (options.count("trace") != 0) {
+    WriteTrace(options["trace"].as<std::string>(), result);
+  }
+  std::cout << ToJson(result).dump(2) << "\n";
+  return 0;
+}
+
+}  // namespace vfh_astar
