@@ -1,0 +1,110 @@
+#include "planner_benchmark.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "vfh_astar/planning/jump_point_search.h"
+#include "vfh_astar/planning/moving_ai.h"
+
+namespace vfh_astar {
+namespace {
+
+using Queries = std::vector<MovingAiQuery>;
+
+/// The longest ones, then of these some spread evenly.
+Queries Choose(Queries queries, const PlannerBenchmarkOptions& options) {
+  const auto count = [&queries](int wanted) {
+    return wanted == 0 ? queries.size()
+                       : std::min<std::size_t>(wanted, queries.size());
+  };
+  if (options.longest != 0) {
+    std::stable_sort(queries.begin(), queries.end(),
+                     [](const MovingAiQuery& a, const MovingAiQuery& b) {
+                       return a.length > b.length;
+                     });
+    queries.resize(count(options.longest));
+  }
+  Queries chosen;
+  const std::size_t limit = count(options.limit);
+  for (std::size_t i = 0; i < limit; ++i) {
+    chosen.push_back(queries[i * queries.size() / limit]);
+  }
+  return chosen;
+}
+
+/// The value that a part of all values does not exceed.
+template <typename T>
+T Quantile(std::vector<T> values, double part) {
+  const auto rank = static_cast<std::size_t>(
+      std::min<double>(part * values.size(), values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[rank];
+}
+
+JumpPointSearch SearchOn(const Grid<std::uint8_t>& blocked) {
+  const GridGeometry& geometry = blocked.geometry();
+  JumpPointSearch search(geometry.width, geometry.height);
+  for (int y = 0; y < geometry.height; ++y) {
+    for (int x = 0; x < geometry.width; ++x) {
+      if (blocked[{x, y}] != 0) search.SetBlocked({x, y}, true);
+    }
+  }
+  return search;
+}
+
+}  // namespace
+
+PlannerFigures RunPlannerBenchmark(const PlannerBenchmarkOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const Grid<std::uint8_t> blocked = ReadMovingAiMap(options.map);
+  const Queries queries = Choose(
+      ReadMovingAiScenario(options.scenario, blocked.geometry()), options);
+  if (queries.empty()) {
+    throw MovingAiError(options.scenario + ": no query; expected at least one");
+  }
+  JumpPointSearch search = SearchOn(blocked);
+
+  PlannerFigures figures;
+  std::vector<double> times_ms;
+  std::vector<std::int64_t> nodes;
+  for (const MovingAiQuery& query : queries) {
+    if (search.IsBlocked(query.start) || search.IsBlocked(query.goal)) {
+      throw MovingAiError(
+          options.scenario + ": the query from (" +
+          std::to_string(query.start.x) + ", " + std::to_string(query.start.y) +
+          ") starts or ends in a blocked cell of " + options.map);
+    }
+    const Clock::time_point begin = Clock::now();
+    const JumpPointResult result = search.Run(query.start, query.goal);
+    times_ms.push_back(
+        std::chrono::duration<double, std::milli>(Clock::now() - begin)
+            .count());
+    nodes.push_back(result.nodes_expanded);
+    ++figures.queries;
+    if (!result.is_found) continue;
+    ++figures.solved;
+    figures.max_cost_error = std::max(figures.max_cost_error,
+                                      std::abs(result.length - query.length));
+  }
+  figures.median_ms = Quantile(times_ms, 0.5);
+  figures.p95_ms = Quantile(times_ms, 0.95);
+  figures.nodes_expanded_median = Quantile(nodes, 0.5);
+  return figures;
+}
+
+std::string ToJson(const PlannerFigures& figures) {
+  std::ostringstream json;
+  json << "{\"queries\": " << figures.queries
+       << ", \"solved\": " << figures.solved
+       << ", \"max_cost_error\": " << figures.max_cost_error
+       << ", \"median_ms\": " << figures.median_ms
+       << ", \"p95_ms\": " << figures.p95_ms
+       << ", \"nodes_expanded_median\": " << figures.nodes_expanded_median
+       << "}";
+  return json.str();
+}
+
+}  // namespace vfh_astar

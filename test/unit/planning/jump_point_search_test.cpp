@@ -1,0 +1,152 @@
+#include "vfh_astar/planning/jump_point_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "planning/text_map.h"
+#include "vfh_astar/planning/cost_map.h"
+
+namespace vfh_astar {
+namespace {
+
+JumpPointSearch SearchOn(const OccupancyGrid& map) {
+  JumpPointSearch search(map.geometry().width, map.geometry().height);
+  for (int y = 0; y < map.geometry().height; ++y) {
+    for (int x = 0; x < map.geometry().width; ++x) {
+      search.SetBlocked({x, y}, map[{x, y}] == 100);
+    }
+  }
+  return search;
+}
+
+bool IsOpen(const OccupancyGrid& map, const Cell& from, const Cell& step) {
+  for (const Cell& cell :
+       {Cell{from.x + step.x, from.y + step.y}, Cell{from.x + step.x, from.y},
+        Cell{from.x, from.y + step.y}}) {
+    if (!map.geometry().Contains(cell) || map[cell] == 100) return false;
+  }
+  return true;
+}
+
+/// Dijkstra's algorithm as in the textbook; infinite when there is no path.
+double Dijkstra(const OccupancyGrid& map, const Cell& start, const Cell& goal) {
+  Grid<double> lengths(map.geometry(), INFINITY);
+  std::set<std::tuple<double, int, int>> open = {{0.0, start.x, start.y}};
+  lengths[start] = 0.0;
+  while (!open.empty()) {
+    const auto [length, x, y] = *open.begin();
+    open.erase(open.begin());
+    for (const Cell& step : kSteps) {
+      if (!IsOpen(map, {x, y}, step)) continue;
+      const Cell next{x + step.x, y + step.y};
+      const double sum = length + std::hypot(step.x, step.y);
+      if (sum >= lengths[next]) continue;
+      open.erase({lengths[next], next.x, next.y});
+      lengths[next] = sum;
+      open.emplace(sum, next.x, next.y);
+    }
+  }
+  return lengths[goal];
+}
+
+void ExpectValidPath(const OccupancyGrid& map, const JumpPointResult& result,
+                     const Cell& start, const Cell& goal) {
+  ASSERT_EQ(result.cells.front(), start);
+  ASSERT_EQ(result.cells.back(), goal);
+  double length = 0.0;
+  for (std::size_t i = 1; i < result.cells.size(); ++i) {
+    const Cell& from = result.cells[i - 1];
+    const Cell step{result.cells[i].x - from.x, result.cells[i].y - from.y};
+    ASSERT_LE(std::abs(step.x), 1);
+    ASSERT_LE(std::abs(step.y), 1);
+    ASSERT_TRUE(IsOpen(map, from, step));
+    length += std::hypot(step.x, step.y);
+  }
+  EXPECT_NEAR(result.length, length, 1e-9);
+}
+
+TEST(JumpPointSearch, GoesDiagonallyThenStraight) {
+  const OccupancyGrid map = TextMap({"....",  //
+                                     "....",  //
+                                     "...."});
+  JumpPointSearch search = SearchOn(map);
+  const JumpPointResult result = search.Run({0, 0}, {3, 2});
+  ASSERT_TRUE(result.is_found);
+  EXPECT_NEAR(result.length, 1.0 + 2.0 * std::sqrt(2.0), 1e-12);
+  ExpectValidPath(map, result, {0, 0}, {3, 2});
+}
+
+TEST(JumpPointSearch, CutsNoCorner) {
+  const OccupancyGrid map = TextMap({"...",  //
+                                     ".#.",  //
+                                     "..."});
+  JumpPointSearch search = SearchOn(map);
+  EXPECT_EQ(search.Run({0, 0}, {2, 2}).length, 4.0);
+  EXPECT_EQ(search.Run({1, 0}, {1, 2}).length, 4.0);
+}
+
+TEST(JumpPointSearch, SaysWhenThereIsNoPath) {
+  JumpPointSearch search = SearchOn(TextMap({"..#.", "..#."}));
+  EXPECT_FALSE(search.Run({0, 0}, {3, 0}).is_found);
+  search.SetBlocked({2, 1}, false);
+  EXPECT_NEAR(search.Run({0, 0}, {3, 0}).length, 3.0 + std::sqrt(2.0), 1e-12);
+}
+
+TEST(JumpPointSearch, StartMayBeTheGoal) {
+  JumpPointSearch search = SearchOn(TextMap({"..."}));
+  const JumpPointResult result = search.Run({1, 0}, {1, 0});
+  EXPECT_TRUE(result.is_found);
+  EXPECT_EQ(result.length, 0.0);
+  EXPECT_EQ(result.cells.size(), 1u);
+}
+
+TEST(JumpPointSearch, IsAsShortAsDijkstra) {
+  std::mt19937 random(17);
+  int found = 0;
+  int unreachable = 0;
+  for (int round = 0; round < 240; ++round) {
+    // Some wider and higher than the words of a scan.
+    const int width =
+        round % 3 == 0 ? 190 : 5 + static_cast<int>(random() % 70);
+    const int height =
+        round % 3 == 1 ? 150 : 3 + static_cast<int>(random() % 40);
+    OccupancyGrid map =
+        RandomMap(width, height, 1.0, 0.04 * (round % 12), random);
+    JumpPointSearch search = SearchOn(map);
+    for (int query = 0; query < 8; ++query) {
+      const auto any_cell = [&] {
+        return Cell{static_cast<int>(random() % width),
+                    static_cast<int>(random() % height)};
+      };
+      const Cell start = any_cell();
+      const Cell goal = any_cell();
+      if (map[start] == 100 || map[goal] == 100) continue;
+      const JumpPointResult result = search.Run(start, goal);
+      const double expected = Dijkstra(map, start, goal);
+      ASSERT_EQ(result.is_found, std::isfinite(expected));
+      if (!result.is_found) {
+        ++unreachable;
+      } else {
+        ++found;
+        ASSERT_NEAR(result.length, expected, 1e-3);
+        ExpectValidPath(map, result, start, goal);
+      }
+      // The map changes between two searches.
+      for (int edit = 0; edit < 5; ++edit) {
+        const Cell cell = any_cell();
+        map[cell] = map[cell] == 100 ? 0 : 100;
+        search.SetBlocked(cell, map[cell] == 100);
+      }
+    }
+  }
+  EXPECT_GT(found, 400);
+  EXPECT_GT(unreachable, 100);
+}
+
+}  // namespace
+}  // namespace vfh_astar
