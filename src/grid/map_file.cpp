@@ -217,6 +217,12 @@ void SaveMap(const OccupancyGrid& map, const std::string& stem) {
   const std::string part = ".part";
   const std::string image = stem + ".pgm";
   const std::string yaml = stem + ".yaml";
+  for (const std::string& file : {image, yaml}) {
+    // Found out only at its renaming, it would leave one of two files behind.
+    if (std::filesystem::is_directory(file)) {
+      throw MapFileError(file + ": cannot be written: is a directory");
+    }
+  }
   WriteWhole(image + part, DrawPgm(map));
   try {
     WriteWhole(yaml + part, Describe(map.geometry(), name + ".pgm"));

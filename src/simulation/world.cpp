@@ -47,15 +47,15 @@ void CheckName(const std::string& file, const std::string& name,
   }
 }
 
+/// What a robot touches is told by name, so robots count too.
 void CheckNames(const std::string& file, const World& world) {
-  std::set<std::string> solids;
+  std::set<std::string> taken;
   for (const auto& obstacle : world.obstacles) {
-    CheckName(file, obstacle.name, solids);
+    CheckName(file, obstacle.name, taken);
   }
-  for (const auto& mover : world.movers) CheckName(file, mover.name, solids);
-  for (const auto& pop_up : world.pop_ups) CheckName(file, pop_up.name, solids);
-  std::set<std::string> robots;
-  for (const auto& robot : world.robots) CheckName(file, robot.name, robots);
+  for (const auto& mover : world.movers) CheckName(file, mover.name, taken);
+  for (const auto& pop_up : world.pop_ups) CheckName(file, pop_up.name, taken);
+  for (const auto& robot : world.robots) CheckName(file, robot.name, taken);
 }
 
 }  // namespace
