@@ -205,12 +205,15 @@ class GridMapperNodelet : public nodelet::Nodelet {
   }
 
   void PublishTransform() {
-    if (!map_from_odom_) return;
+    // tf warns about a second transform of the same time.
+    const ros::Time now = ros::Time::now();
+    if (!map_from_odom_ || now == transform_time_) return;
+    transform_time_ = now;
     geometry_msgs::TransformStamped transform;
     transform.header.frame_id = parameters_.frames.map_frame;
     // It holds until the next one comes, as gmapping's does.
     transform.header.stamp =
-        ros::Time::now() + ros::Duration(parameters_.transform_publish_period);
+        now + ros::Duration(parameters_.transform_publish_period);
     transform.child_frame_id = parameters_.frames.odom_frame;
     transform.transform = ToTransformMessage(*map_from_odom_);
     broadcaster_.sendTransform(transform);
@@ -276,7 +279,8 @@ class GridMapperNodelet : public nodelet::Nodelet {
   std::optional<OccupancyGrid> known_map_;
   std::unique_ptr<GridMapper> mapper_;
   std::optional<Pose2D> map_from_odom_;
-  ros::Time stamp_;  ///< of the newest scan in the map.
+  ros::Time transform_time_;  ///< when it was published last.
+  ros::Time stamp_;           ///< of the newest scan in the map.
   bool is_map_old_ = false;
   int scans_ = 0;
   int waited_scans_ = 0;

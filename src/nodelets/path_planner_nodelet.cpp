@@ -14,6 +14,7 @@
 
 #include "vfh_astar/planning/path_planner.h"
 #include "vfh_astar/ros/frame_names.h"
+#include "vfh_astar/ros/geometry_messages.h"
 #include "vfh_astar/ros/map_subscription.h"
 #include "vfh_astar/ros/message_error.h"
 #include "vfh_astar/ros/motion_messages.h"
@@ -141,7 +142,7 @@ class PathPlannerNodelet : public nodelet::Nodelet {
       plan_publisher_.publish(ToPathMessage(result.path, result.goal,
                                             parameters_.frames.map_frame,
                                             query.header.stamp));
-      if (!result.message.empty()) {
+      if (result.goal.position() != ToPose2D(query.goal).position()) {
         NODELET_INFO_THROTTLE(5.0, "%s", result.message.c_str());
       }
     } else if (result.outcome != Outcome::kCancelled) {

@@ -43,7 +43,7 @@ GridGeometry ToGeometry(const nav_msgs::MapMetaData& info) {
   }
   GridGeometry geometry;
   // The message has it in single precision; 0.05 shall stay 0.05.
-  geometry.resolution = std::round(info.resolution * 1e6) * 1e-6;
+  geometry.resolution = std::round(info.resolution * 1e6) / 1e6;
   geometry.origin = origin.position();
   geometry.width = static_cast<int>(info.width);
   geometry.height = static_cast<int>(info.height);
