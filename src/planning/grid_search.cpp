@@ -42,22 +42,6 @@ unsigned Behind(int direction) {
          0xff;
 }
 
-/// The directions in which a step is open, as bits.
-unsigned OpenDirections(const CostMap::Level* at, int stride) {
-  const unsigned east = at[1] != CostMap::kLethal;
-  const unsigned north = at[stride] != CostMap::kLethal;
-  const unsigned west = at[-1] != CostMap::kLethal;
-  const unsigned south = at[-stride] != CostMap::kLethal;
-  const unsigned north_east = at[stride + 1] != CostMap::kLethal;
-  const unsigned north_west = at[stride - 1] != CostMap::kLethal;
-  const unsigned south_west = at[-stride - 1] != CostMap::kLethal;
-  const unsigned south_east = at[-stride + 1] != CostMap::kLethal;
-  return east | (north_east & north & east) << 1 | north << 2 |
-         (north_west & north & west) << 3 | west << 4 |
-         (south_west & south & west) << 5 | south << 6 |
-         (south_east & south & east) << 7;
-}
-
 }  // namespace
 
 GridSearch::GridSearch() : open_(kBucketBits, kLongestStep) {}
@@ -122,38 +106,55 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   return result;
 }
 
+// One function per direction, so that steps and lengths are constants in the
+// innermost loop.
+template <int kDirection>
+inline void GridSearch::Look(const Expansion& from) {
+  constexpr Cell kStep = kSteps[kDirection];
+  const std::ptrdiff_t offset = kStep.y * stride_ + kStep.x;
+  const CostMap::Level level = from.levels[offset];
+  if (level == CostMap::kLethal) return;
+  if (kStep.x != 0 && kStep.y != 0 &&
+      (from.levels[kStep.x] == CostMap::kLethal ||
+       from.levels[kStep.y * stride_] == CostMap::kLethal)) {
+    return;
+  }
+  // The step before went straight to what lies behind for less; only where
+  // the rectangle did not fit on that way it may do so on this one.
+  if ((from.behind >> kDirection & 1) != 0 && level < tight_level_) return;
+  const StepCost cost =
+      from.open.cost + CostOfStep(from.levels[0], level, kDirection);
+  const Node news = MakeNode(cost, kDirection);
+  Node& node = from.nodes[offset];
+  if (news <= (node | 0xff)) return;
+  const Cell cell{from.open.x + kStep.x, from.open.y + kStep.y};
+  const StepCost key = cost + Heuristic(cell.x, cell.y);
+  if (key >= goal_cost_) return;
+  if (level >= tight_level_ && !from.passages.Fits(cell, kDirection)) return;
+  node = news;
+  if (cell == goal_) {
+    goal_cost_ = cost;
+  } else {
+    open_.Push(key, {static_cast<std::uint16_t>(cell.x),
+                     static_cast<std::uint16_t>(cell.y), cost});
+  }
+}
+
 void GridSearch::Expand(const Open& open, const CostMap& costs,
                         const PassageCheck& passages) {
   if (open.cost > kFarthest) return;
   const std::size_t index = costs.Index({open.x, open.y});
-  const CostMap::Level* const levels = costs.levels().data() + index;
-  const CostMap::Level here = levels[0];
-  const unsigned behind = Behind(nodes_[index] & 0xff);
-  for (unsigned left = OpenDirections(levels, stride_); left != 0;
-       left &= left - 1) {
-    const int direction = __builtin_ctz(left);
-    const Cell step = kSteps[direction];
-    const std::ptrdiff_t offset = step.y * stride_ + step.x;
-    const CostMap::Level level = levels[offset];
-    // The step before went straight to what lies behind for less; only where
-    // the rectangle did not fit on that way it may do so on this one.
-    if ((behind >> direction & 1) != 0 && level < tight_level_) continue;
-    const StepCost cost = open.cost + CostOfStep(here, level, direction);
-    Node& node = nodes_[index + offset];
-    const Node news = MakeNode(cost, 0);
-    if (news <= node) continue;
-    const Cell cell{open.x + step.x, open.y + step.y};
-    const StepCost key = cost + Heuristic(cell.x, cell.y);
-    if (key >= goal_cost_) continue;
-    if (level >= tight_level_ && !passages.Fits(cell, direction)) continue;
-    node = news | static_cast<Node>(direction);
-    if (cell == goal_) {
-      goal_cost_ = cost;
-    } else {
-      open_.Push(key, {static_cast<std::uint16_t>(cell.x),
-                       static_cast<std::uint16_t>(cell.y), cost});
-    }
-  }
+  const Expansion from = {open, costs.levels().data() + index,
+                          nodes_.get() + index, Behind(nodes_[index] & 0xff),
+                          passages};
+  Look<0>(from);
+  Look<1>(from);
+  Look<2>(from);
+  Look<3>(from);
+  Look<4>(from);
+  Look<5>(from);
+  Look<6>(from);
+  Look<7>(from);
 }
 
 std::vector<Cell> GridSearch::PathToGoal(const Cell& start,

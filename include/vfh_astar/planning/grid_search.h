@@ -65,9 +65,20 @@ class GridSearch {
     return ~static_cast<StepCost>(node >> 8);
   }
 
+  /// A node whose neighbours are being looked at.
+  struct Expansion {
+    Open open;
+    const CostMap::Level* levels;  ///< at the node.
+    Node* nodes;                   ///< at the node.
+    unsigned behind;               ///< directions, as bits.
+    const PassageCheck& passages;
+  };
+
   void Prepare(const CostMap& costs);
   void Expand(const Open& open, const CostMap& costs,
               const PassageCheck& passages);
+  template <int kDirection>
+  void Look(const Expansion& from);
   StepCost Heuristic(int x, int y) const;
   std::vector<Cell> PathToGoal(const Cell& start, const CostMap& costs) const;
 
