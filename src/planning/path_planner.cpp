@@ -133,8 +133,8 @@ PlanResult PathPlanner::Plan(const PlanRequest& request,
   if (std::optional<PlanResult> refusal = Refuse(request)) return *refusal;
   const StartClearing clearing(parameters_.footprint, request.start, clearance_,
                                costs_);
-  const std::vector<Goal> goals = GoalsNear(request);
-  if (goals.empty()) {
+  std::optional<Goal> goal = NearestGoal(request, false);
+  if (!goal) {
     return Failure(
         Outcome::kGoalBlocked,
         Sentence("the goal (%.2f, %.2f) is blocked: an obstacle is %.2f m from "
@@ -147,7 +147,22 @@ PlanResult PathPlanner::Plan(const PlanRequest& request,
                      .CircumscribedRadius(),
                  request.tolerance));
   }
-  return Search(request, goals, cancelled);
+  const PassageCheck passages(
+      parameters_.footprint.Grown(parameters_.safety_margin - kRounding),
+      request.start, clearance_);
+  const Cell start = clearance_.geometry().ToCell(request.start.position());
+  SearchResult found =
+      search_.Run(costs_, passages, start, goal->cell, cancelled);
+  if (found.status == SearchStatus::kExhausted) {
+    // Every cell that can be reached is known now.
+    goal = NearestGoal(request, true);
+    if (!goal) return Unreachable(request, found);
+    found = search_.Run(costs_, passages, start, goal->cell, cancelled);
+  }
+  if (found.status == SearchStatus::kCancelled) {
+    return Failure(Outcome::kCancelled, "planning was cancelled");
+  }
+  return Answer(request, *goal, found, passages);
 }
 
 bool PathPlanner::IsGoalFree(const Pose2D& goal) const {
@@ -157,72 +172,56 @@ bool PathPlanner::IsGoalFree(const Pose2D& goal) const {
                            parameters_.safety_margin - kRounding);
 }
 
-std::vector<PathPlanner::Goal> PathPlanner::GoalsNear(
-    const PlanRequest& request) const {
+std::optional<PathPlanner::Goal> PathPlanner::NearestGoal(
+    const PlanRequest& request, bool must_be_reached) const {
   const GridGeometry& geometry = clearance_.geometry();
   const Cell centre = geometry.ToCell(request.goal.position());
-  std::vector<Goal> goals;
-  if (IsGoalFree(request.goal)) goals.push_back({centre, request.goal, false});
-  const int reach =
-      static_cast<int>(std::ceil(request.tolerance / geometry.resolution));
-  const cv::Rect around = cv::Rect(centre.x - reach, centre.y - reach,
-                                   2 * reach + 1, 2 * reach + 1) &
-                          geometry.Bounds();
-  for (int y = around.y; y < around.br().y; ++y) {
-    for (int x = around.x; x < around.br().x; ++x) {
-      const Pose2D pose(geometry.ToWorld({x, y}), request.goal.theta);
-      const double moved = (pose.position() - request.goal.position()).norm();
-      if (moved > request.tolerance || !IsGoalFree(pose)) continue;
-      goals.push_back({{x, y}, pose, true});
+  if (IsGoalFree(request.goal) &&
+      (!must_be_reached || search_.IsReached(centre))) {
+    return Goal{centre, request.goal, false};
+  }
+  std::optional<Goal> nearest;
+  double distance = request.tolerance;
+  const auto consider = [&](int x, int y) {
+    const Cell cell{x, y};
+    if (!geometry.Contains(cell)) return;
+    const Pose2D pose(geometry.ToWorld(cell), request.goal.theta);
+    const double moved = (pose.position() - request.goal.position()).norm();
+    if (moved > distance || (nearest && moved == distance)) return;
+    if (must_be_reached && !search_.IsReached(cell)) return;
+    if (!IsGoalFree(pose)) return;
+    nearest = Goal{cell, pose, true};
+    distance = moved;
+  };
+  // Square rings about the goal's cell; the goal may lie anywhere in the cell,
+  // so a ring may be nearer than its number by one.
+  const int farthest = std::max(geometry.width, geometry.height);
+  for (int ring = 0;
+       ring <= farthest && (ring - 1) * geometry.resolution <= distance;
+       ++ring) {
+    for (int i = -ring; i <= ring; ++i) {
+      consider(centre.x + i, centre.y - ring);
+      if (ring > 0) consider(centre.x + i, centre.y + ring);
+    }
+    for (int i = 1 - ring; i < ring; ++i) {
+      consider(centre.x - ring, centre.y + i);
+      consider(centre.x + ring, centre.y + i);
     }
   }
-  const auto moved = [&request](const Goal& goal) {
-    return (goal.pose.position() - request.goal.position()).squaredNorm();
-  };
-  std::stable_sort(
-      goals.begin(), goals.end(),
-      [&moved](const Goal& a, const Goal& b) { return moved(a) < moved(b); });
-  return goals;
+  return nearest;
 }
 
-PlanResult PathPlanner::Search(const PlanRequest& request,
-                               const std::vector<Goal>& goals,
-                               const std::atomic<bool>* cancelled) {
-  const GridGeometry& geometry = clearance_.geometry();
-  const PassageCheck passages(
-      parameters_.footprint.Grown(parameters_.safety_margin - kRounding),
-      request.start, clearance_);
-  const Cell start = geometry.ToCell(request.start.position());
-  auto goal = goals.begin();
-  SearchResult found =
-      search_.Run(costs_, passages, start, goal->cell, cancelled);
-  if (found.status == SearchStatus::kExhausted) {
-    // Every cell that can be reached is known now.
-    const auto reached =
-        std::find_if(goal, goals.end(), [this](const Goal& candidate) {
-          return search_.IsReached(candidate.cell);
-        });
-    if (reached != goals.end()) {
-      goal = reached;
-      found = search_.Run(costs_, passages, start, goal->cell, cancelled);
-    }
-  }
-  PlanResult result;
-  if (found.status == SearchStatus::kFound) {
-    result = Answer(request, *goal, found, passages);
-  } else if (found.status == SearchStatus::kCancelled) {
-    result = Failure(Outcome::kCancelled, "planning was cancelled");
-  } else {
-    result = Failure(
-        Outcome::kNoPath,
-        Sentence(
-            "no path from (%.2f, %.2f) to the goal (%.2f, %.2f): the robot"
-            " can reach %.1f m^2 of the map, and no pose within %.2f m of "
-            "the goal is among them",
-            request.start.x, request.start.y, request.goal.x, request.goal.y,
-            found.nodes_expanded * geometry.resolution * geometry.resolution,
-            request.tolerance));
-  }
+PlanResult PathPlanner::Unreachable(const PlanRequest& request,
+                                    const SearchResult& found) const {
+  const double cell_area = std::pow(clearance_.geometry().resolution, 2);
+  PlanResult result = Failure(
+      Outcome::kNoPath,
+      Sentence(
+          "no path from (%.2f, %.2f) to the goal (%.2f, %.2f): the robot "
+          "can reach %.1f m^2 of the map, and no pose within %.2f m of the "
+          "goal is among them",
+          request.start.x, request.start.y, request.goal.x, request.goal.y,
+          found.nodes_expanded * cell_area, request.tolerance));
   result.nodes_expanded = found.nodes_expanded;
   return result;
 }
@@ -234,6 +233,7 @@ PlanResult PathPlanner::Answer(const PlanRequest& request, const Goal& goal,
   const std::optional<KnownPath> known = FollowPath(
       request.previous, found.cells.front(), goal.cell, costs_, passages);
   PlanResult result;
+  result.nodes_expanded = found.nodes_expanded;
   // Equal routes keep the old one too, or noise would make them alternate.
   result.kept =
       known && found.cost >= (1.0 - parameters_.keep_margin) * known->cost;

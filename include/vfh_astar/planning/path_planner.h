@@ -94,10 +94,13 @@ class PathPlanner {
   };
 
   bool IsGoalFree(const Pose2D& goal) const;
-  std::vector<Goal> GoalsNear(const PlanRequest& request) const;
   std::optional<PlanResult> Refuse(const PlanRequest& request) const;
-  PlanResult Search(const PlanRequest& request, const std::vector<Goal>& goals,
-                    const std::atomic<bool>* cancelled);
+  /// The goal when it is free, else the nearest free pose within the tolerance;
+  /// when asked for, among those that the last search has reached.
+  std::optional<Goal> NearestGoal(const PlanRequest& request,
+                                  bool must_be_reached) const;
+  PlanResult Unreachable(const PlanRequest& request,
+                         const SearchResult& found) const;
   PlanResult Answer(const PlanRequest& request, const Goal& goal,
                     const SearchResult& found,
                     const PassageCheck& passages) const;

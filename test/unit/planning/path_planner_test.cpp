@@ -153,6 +153,40 @@ TEST(PathPlanner, MovesABlockedGoalWithinTheTolerance) {
   EXPECT_EQ(moved.path.back(), moved.goal.position());
 }
 
+TEST(PathPlanner, MovesAGoalToTheNearestPoseOfAll) {
+  std::mt19937 random(21);
+  int moved_goals = 0;
+  for (int round = 0; round < 40; ++round) {
+    OccupancyGrid map = RandomMap(80, 60, kResolution, 0.02, random);
+    Fill(0.0, 0.0, 1.5, 1.5, map, 0);
+    PathPlannerParameters parameters;
+    parameters.footprint = {0.1, 0.1, 0.08};
+    parameters.safety_margin = 0.03;
+    PathPlanner planner = PlannerOn(map, parameters);
+    const Pose2D start(0.7, 0.7, 0.0);
+    const Pose2D goal(0.2 + 0.0037 * (random() % 1000),
+                      0.2 + 0.0026 * (random() % 1000), 0.4);
+    const PlanResult result = planner.Plan(FromTo(start, goal, 0.8));
+    if (result.outcome != Outcome::kSuccess) continue;
+    const double moved = (result.goal.position() - goal.position()).norm();
+    EXPECT_LE(moved, 0.8);
+    if (moved == 0.0) continue;
+    ++moved_goals;
+    // No cell that is nearer could have been the goal.
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 80; ++x) {
+        const Pose2D other(map.geometry().ToWorld({x, y}), goal.theta);
+        if ((other.position() - goal.position()).norm() > moved - 1e-9) {
+          continue;
+        }
+        EXPECT_NE(planner.Plan(FromTo(start, other)).outcome,
+                  Outcome::kSuccess);
+      }
+    }
+  }
+  EXPECT_GT(moved_goals, 5);
+}
+
 TEST(PathPlanner, MovesAGoalThatIsCutOff) {
   OccupancyGrid map = Room(6.0, 4.0);
   Fill(3.0, 0.0, 3.1, 4.0, map);
