@@ -1,9 +1,8 @@
-#include "planner_benchmark.h"
+#include "benchmark/planner_benchmark.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 #include "vfh_astar/planning/jump_point_search.h"
@@ -93,18 +92,6 @@ PlannerFigures RunPlannerBenchmark(const PlannerBenchmarkOptions& options) {
   figures.p95_ms = Quantile(times_ms, 0.95);
   figures.nodes_expanded_median = Quantile(nodes, 0.5);
   return figures;
-}
-
-std::string ToJson(const PlannerFigures& figures) {
-  std::ostringstream json;
-  json << "{\"queries\": " << figures.queries
-       << ", \"solved\": " << figures.solved
-       << ", \"max_cost_error\": " << figures.max_cost_error
-       << ", \"median_ms\": " << figures.median_ms
-       << ", \"p95_ms\": " << figures.p95_ms
-       << ", \"nodes_expanded_median\": " << figures.nodes_expanded_median
-       << "}";
-  return json.str();
 }
 
 }  // namespace vfh_astar

@@ -28,9 +28,6 @@ struct PlannerFigures {
 ///   starts or ends in a blocked cell.
 PlannerFigures RunPlannerBenchmark(const PlannerBenchmarkOptions& options);
 
-/// The figures as a JSON object of one level.
-std::string ToJson(const PlannerFigures& figures);
-
 }  // namespace vfh_astar
 
 #endif  // VFH_ASTAR_BENCHMARK_PLANNER_BENCHMARK_H_
