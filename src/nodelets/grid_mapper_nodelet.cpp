@@ -1,18 +1,21 @@
 #include <diagnostic_updater/diagnostic_updater.h>
-#include <message_filters/subscriber.h>
 #include <nav_msgs/GetMap.h>
 #include <nodelet/nodelet.h>
+#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
-#include <tf2_ros/message_filter.h>
 #include <tf2_ros/transform_broadcaster.h>
 #include <tf2_ros/transform_listener.h>
 #include <vfh_astar/SaveMap.h>
 
+#include <cmath>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "vfh_astar/grid/map_file.h"
 #include "vfh_astar/mapping/grid_mapper.h"
@@ -26,9 +29,9 @@
 namespace vfh_astar {
 namespace {
 
-// Scans that wait for their transform at the most: half a second of them at
-// 40 Hz.
-constexpr int kWaitingScans = 20;
+constexpr int kScanQueueSize = 100;
+// s that a scan may wait for its transform.
+constexpr double kLongestWait = 2.0;
 
 struct GridMapperNodeletParameters {
   GridMapperParameters mapper;
@@ -56,8 +59,6 @@ struct GridMapperNodeletParameters {
 /// Scans and tf in; the map and the transform from map to odom out.
 class GridMapperNodelet : public nodelet::Nodelet {
  private:
-  using ScanFilter = tf2_ros::MessageFilter<sensor_msgs::LaserScan>;
-
   void onInit() override {
     parameters_ =
         ReadParameters<GridMapperNodeletParameters>(getPrivateNodeHandle());
@@ -106,18 +107,10 @@ class GridMapperNodelet : public nodelet::Nodelet {
   void Listen() {
     ros::NodeHandle& node = getNodeHandle();
     listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node);
-    scan_subscriber_.subscribe(node, "front/scan", kWaitingScans,
-                               ros::TransportHints().tcpNoDelay());
-    filter_ = std::make_unique<ScanFilter>(scan_subscriber_, transforms_,
-                                           parameters_.frames.odom_frame,
-                                           kWaitingScans, node);
-    filter_->registerCallback(
-        [this](const sensor_msgs::LaserScanConstPtr& scan) { OnScan(*scan); });
-    filter_->registerFailureCallback(
-        [this](const sensor_msgs::LaserScanConstPtr& scan,
-               tf2_ros::filter_failure_reasons::FilterFailureReason) {
-          OnScanWithoutTransform(scan->header.frame_id);
-        });
+    scan_subscriber_ = node.subscribe<sensor_msgs::LaserScan>(
+        "front/scan", kScanQueueSize,
+        [this](const sensor_msgs::LaserScanConstPtr& scan) { OnScan(scan); },
+        nullptr, ros::TransportHints().tcpNoDelay());
     transform_timer_ = node.createTimer(
         ros::Duration(parameters_.transform_publish_period),
         [this](const ros::TimerEvent&) { PublishTransform(); });
@@ -145,7 +138,28 @@ class GridMapperNodelet : public nodelet::Nodelet {
     PublishMap();
   }
 
-  void OnScan(const sensor_msgs::LaserScan& message) {
+  /// Transforms come a little later than the scans that need them. Whichever
+  /// scan can be used by now is; a tf2_ros::MessageFilter would lose the one
+  /// whose transform comes while it is being queued.
+  void OnScan(const sensor_msgs::LaserScanConstPtr& newest) {
+    waiting_scans_.push_back(newest);
+    std::deque<sensor_msgs::LaserScanConstPtr> still_waiting;
+    for (const sensor_msgs::LaserScanConstPtr& scan : waiting_scans_) {
+      const double wait = (newest->header.stamp - scan->header.stamp).toSec();
+      if (transforms_.canTransform(parameters_.frames.odom_frame,
+                                   WithoutSlash(scan->header.frame_id),
+                                   scan->header.stamp)) {
+        UseScan(*scan);
+      } else if (std::abs(wait) < kLongestWait) {
+        still_waiting.push_back(scan);
+      } else {
+        DropLateScan(scan->header.frame_id);
+      }
+    }
+    waiting_scans_ = std::move(still_waiting);
+  }
+
+  void UseScan(const sensor_msgs::LaserScan& message) {
     try {
       const LaserMount mount = ToLaserMount(TransformToOdom(
           WithoutSlash(message.header.frame_id), message.header.stamp));
@@ -161,9 +175,17 @@ class GridMapperNodelet : public nodelet::Nodelet {
     } catch (const MessageError& error) {
       ++unusable_scans_;
       NODELET_WARN_THROTTLE(10.0, "a scan is dropped: %s", error.what());
-    } catch (const tf2::TransformException& error) {
-      OnScanWithoutTransform(message.header.frame_id);
+    } catch (const tf2::TransformException&) {
+      // tf has forgotten it meanwhile, or knows the laser but not the base.
+      DropLateScan(message.header.frame_id);
     }
+  }
+
+  void DropLateScan(const std::string& frame) {
+    ++late_scans_;
+    NODELET_WARN_THROTTLE(
+        10.0, "scans are dropped: no transform from %s to %s at their time",
+        frame.c_str(), parameters_.frames.odom_frame.c_str());
   }
 
   geometry_msgs::Transform TransformToOdom(const std::string& frame,
@@ -195,13 +217,6 @@ class GridMapperNodelet : public nodelet::Nodelet {
           ToUpdateMessage(change.window, mapper_->Values(change.window),
                           parameters_.frames.map_frame, stamp));
     }
-  }
-
-  void OnScanWithoutTransform(const std::string& frame) {
-    ++waited_scans_;
-    NODELET_WARN_THROTTLE(
-        10.0, "scans are dropped: no transform from %s to %s at their time",
-        frame.c_str(), parameters_.frames.odom_frame.c_str());
   }
 
   void PublishTransform() {
@@ -269,7 +284,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
       status.summary(DiagnosticStatus::OK, "mapping");
     }
     status.add("scans used", scans_);
-    status.add("scans dropped, no transform", waited_scans_);
+    status.add("scans dropped, no transform", late_scans_);
     status.add("scans dropped, unusable", unusable_scans_);
     status.add("map width [cells]", mapper_->geometry().width);
     status.add("map height [cells]", mapper_->geometry().height);
@@ -281,9 +296,10 @@ class GridMapperNodelet : public nodelet::Nodelet {
   std::optional<Pose2D> map_from_odom_;
   ros::Time transform_time_;  ///< when it was published last.
   ros::Time stamp_;           ///< of the newest scan in the map.
-  bool is_map_old_ = false;
+  bool is_map_old_ = false;   ///< more is known than was published whole.
+  std::deque<sensor_msgs::LaserScanConstPtr> waiting_scans_;
   int scans_ = 0;
-  int waited_scans_ = 0;
+  int late_scans_ = 0;
   int unusable_scans_ = 0;
 
   tf2_ros::Buffer transforms_;
@@ -298,8 +314,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
   ros::Timer transform_timer_;
   ros::Timer map_timer_;
   ros::WallTimer diagnostics_timer_;
-  message_filters::Subscriber<sensor_msgs::LaserScan> scan_subscriber_;
-  std::unique_ptr<ScanFilter> filter_;
+  ros::Subscriber scan_subscriber_;
 };
 
 }  // namespace vfh_astar

@@ -24,6 +24,9 @@
 namespace vfh_astar {
 namespace {
 
+// By how much clocks may step back without it being another time.
+const ros::Duration kClockTolerance(1.0);
+
 struct NavigatorNodeletParameters {
   NavigatorParameters navigator;
   FrameNames frames;
@@ -172,15 +175,18 @@ class NavigatorNodelet : public nodelet::Nodelet {
     return true;
   }
 
+  /// True when the clock, or the laser's, is behind where it was.
   bool IsTimeReset() const {
-    return ros::Time::now() + ros::Duration(1.0) < last_cycle_;
+    return ros::Time::now() + kClockTolerance < last_now_ ||
+           inputs_->scan_stamp() + kClockTolerance < last_scan_;
   }
 
   void Cycle() {
     if (IsTimeReset()) BeginAnew();
+    last_now_ = ros::Time::now();
+    last_scan_ = inputs_->scan_stamp();
     // The clock's message may come after the scan of that moment.
-    const ros::Time time =
-        std::max({ros::Time::now(), inputs_->scan_stamp(), last_cycle_});
+    const ros::Time time = std::max({last_now_, last_scan_, last_cycle_});
     if (time.isZero()) return;
     last_cycle_ = time;
     monitor_->Count(time);
@@ -195,7 +201,8 @@ class NavigatorNodelet : public nodelet::Nodelet {
   /// come again.
   void BeginAnew() {
     NODELET_WARN("time went back: navigation begins anew");
-    inputs_->Forget();
+    inputs_->ForgetAfter(std::min(ros::Time::now(), inputs_->scan_stamp()) +
+                         kClockTolerance);
     goals_->Abort("time went back");
     navigator_ = std::make_unique<Navigator>(parameters_.navigator);
     last_cycle_ = ros::Time();
@@ -255,6 +262,8 @@ class NavigatorNodelet : public nodelet::Nodelet {
   ros::Duration period_;
   std::unique_ptr<Navigator> navigator_;
   ros::Time last_cycle_;
+  ros::Time last_now_;   ///< the clock at the last cycle.
+  ros::Time last_scan_;  ///< the newest scan's stamp at the last cycle.
   ros::Time query_stamp_;
   bool is_moving_ = false;  ///< by the last command.
   bool is_histogram_shown_ = false;

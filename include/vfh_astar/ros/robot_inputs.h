@@ -55,8 +55,9 @@ class RobotInputs {
   /// What has not come yet, a line for each.
   std::vector<std::string> Missing() const;
 
-  /// Forgets scan and odometry: time went back, and they are of the future.
-  void Forget();
+  /// Forgets scan and odometry that are younger than `time`: time went back,
+  /// and they are of the future.
+  void ForgetAfter(const ros::Time& time);
 
  private:
   void Take(const sensor_msgs::LaserScan& message);
