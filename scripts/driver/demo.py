@@ -16,7 +16,7 @@ _OUTPUT = os.path.join(scene.OUTPUT, "demo")
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="demo", description=__doc__)
     parser.add_argument("--headless", action="store_true",
-                        help="no RViz, and as fast as the machine can")
+                        help="no RViz; ends with the drive")
     scene.add_arguments(parser)
     parser.add_argument("--map", metavar="FILE", help="a map_server map known "
                         "beforehand (none: the robot builds it as it drives)")
@@ -43,7 +43,6 @@ def launch_arguments(options):
         "seed": options.seed, "config": options.config,
         "map_file": options.map, "rviz": str(not options.headless).lower(),
         "lockstep": str(options.headless).lower(),
-        "real_time_factor": 0 if options.headless else 1,
     }
 
 
@@ -63,10 +62,11 @@ class ProgressPrinter:
             return
         self._next = max(self._next, elapsed) + (elapsed >= self._next)
         self._state = state.state
+        # Rounded first, and 0 added: no "-0.00".
         print("{:7.1f} s  {:<10} {:6.2f} m to go  {:5.2f} m/s  "
               "clearance {:.2f} m".format(
-                  elapsed, state.state, state.distance_to_goal, state.speed,
-                  state.clearance), flush=True)
+                  elapsed, state.state, state.distance_to_goal,
+                  round(state.speed, 2) + 0.0, state.clearance), flush=True)
 
 
 def print_outcome(record, picture):

@@ -7,6 +7,7 @@ import numpy as np
 import rospy
 from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
+from std_msgs.msg import Float64
 
 from driver.drive_record import GridMap, PoseSample, StateSample
 
@@ -27,6 +28,7 @@ class Observer:
         self._lock = threading.Lock()
         self._record = None
         self._map = None
+        self._contacts = []  # since the simulation began
         self.last_pose = None
         self.last_speed = 0.0  # m/s, ground truth
         self.last_state = None
@@ -35,6 +37,8 @@ class Observer:
                          self._on_map_update, queue_size=100)
         rospy.Subscriber("ground_truth/odom", Odometry, self._on_ground_truth,
                          queue_size=100)
+        rospy.Subscriber("clearance", Float64, self._on_clearance,
+                         queue_size=100)
         rospy.Subscriber(plan_topic, Path, self._on_plan, queue_size=20)
         rospy.Subscriber("trajectory_path", Path, self._on_trajectory,
                          queue_size=20)
@@ -42,7 +46,9 @@ class Observer:
 
     def _subscribe_own_messages(self):
         # Generated in the workspace, which has to be sourced before.
-        from vfh_astar.msg import NavigationState
+        from vfh_astar.msg import CollisionReport, NavigationState
+        rospy.Subscriber("collision", CollisionReport, self._on_collision,
+                         queue_size=10)
         rospy.Subscriber("navigation_state", NavigationState, self._on_state,
                          queue_size=200)
 
@@ -51,10 +57,11 @@ class Observer:
             self._record = record
 
     def finish(self):
-        """The record takes nothing more; the map is its last entry."""
+        """The record gets the map and the contacts, and nothing more after."""
         with self._lock:
             if self._record is not None:
                 self._record.map = self._map
+                self._record.contacts = list(self._contacts)
             self._record = None
 
     def _on_map(self, message):
@@ -90,6 +97,17 @@ class Observer:
             self.last_speed = odometry.twist.twist.linear.x
             if self._record is not None:
                 self._record.poses.append(sample)
+
+    def _on_clearance(self, message):
+        with self._lock:
+            if self._record is not None:
+                self._record.least_clearance = min(
+                    self._record.least_clearance, message.data)
+
+    def _on_collision(self, report):
+        with self._lock:
+            if report.collided:
+                self._contacts.append(report.touched)
 
     def _on_state(self, message):
         sample = StateSample(

@@ -62,7 +62,7 @@ def frame(axes, records):
 def draw_driven(axes, record, color, label):
     driven = np.array([(p.x, p.y) for p in record.poses])
     if driven.size:
-        axes.plot(driven[:, 0], driven[:, 1], color=color, linewidth=1.8,
+        axes.plot(driven[:, 0], driven[:, 1], color=color, linewidth=1.4,
                   label=label)
 
 
@@ -84,8 +84,8 @@ def draw(record, file, title):
     """Writes a PNG."""
     figure, axes = plt.subplots(figsize=(9, 9))
     draw_map(axes, record)
+    _draw_lines(axes, record.trajectories, "tab:green", "trajectory", 4.0)
     _draw_lines(axes, record.plans, "tab:blue", "plan", 1.2)
-    _draw_lines(axes, record.trajectories, "tab:green", "trajectory", 1.6)
     draw_driven(axes, record, "tab:red", "driven (ground truth)")
     next_outline = -math.inf
     for pose in record.poses:

@@ -13,7 +13,7 @@ import rospy  # noqa: E402
 import rostest  # noqa: E402
 from geometry_msgs.msg import Twist  # noqa: E402
 
-from driver import goal_drive  # noqa: E402
+from driver import goal_drive, poses, scene, world_file  # noqa: E402
 from driver.observer import Observer  # noqa: E402
 
 
@@ -38,6 +38,16 @@ class NavigationTestCase(unittest.TestCase):
         cls.commands = []  # (simulated s, Twist)
         rospy.Subscriber("cmd_vel", Twist, lambda command: cls.commands.append(
             (rospy.get_time(), command)))
+
+    def goal_of_world(self, name):
+        """The goal that worlds/<name>.yaml suggests; fails unless the robot
+        stands at the start that it has."""
+        start, goal = world_file.read_start_and_goal(
+            os.path.join(scene.ROOT, "worlds", name + ".yaml"))
+        self.ready_client()
+        pose = self.observer.last_pose
+        self.assertLess(math.hypot(pose.x - start[0], pose.y - start[1]), 0.05)
+        return poses.with_yaw(goal, start)
 
     def drive(self, goal, time_limit):
         """Drives from where the robot is; see goal_drive.drive."""

@@ -8,7 +8,7 @@ import numpy as np
 class PopUpTest(navigation_test_case.NavigationTestCase):
 
     def test_avoids_what_appears_and_reaches_the_goal(self):
-        record = self.drive(self.world_goal(), time_limit=120.0)
+        record = self.drive(self.goal_of_world("pop_up"), time_limit=120.0)
         self.assertTrue(record.succeeded, record.message)
         self.assertEqual(record.contacts, [])
         self.assertLess(record.distance_left(), 0.2)
