@@ -20,6 +20,12 @@ std::uint64_t BitsBetween(int first, int last) {
   return (kAllBits << first) & (kAllBits >> (63 - last));
 }
 
+// Beams run alongside each other as far as these hold: at larger angles they
+// are not near enough to parallel within a cell, and at more than half a cell
+// apart (less a tenth for what is not quite parallel) one may lie between them.
+constexpr double kWidestSharing = 0.04;  // rad
+constexpr double kSharedWidth = 0.45;    // cells
+
 cv::Rect Hull(const cv::Rect& a, const cv::Rect& b) {
   return a.empty() ? b : b.empty() ? a : a | b;
 }
@@ -73,8 +79,7 @@ ScanInserter::ScanInserter(const ScanInserterParameters& parameters)
 cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
                               LogOddsGrid& grid) {
   assert(laser_pose.IsFinite());
-  TraceBeams(scan, laser_pose);
-  if (beams_.empty()) return {};
+  if (!TraceBeams(scan, laser_pose)) return {};
 
   Eigen::AlignedBox2d reach(laser_pose.position());
   for (const Beam& beam : beams_) reach.extend(beam.end);
@@ -90,7 +95,8 @@ cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
   for (Beam& beam : beams_) {
     beam.end = ToCellUnits(grid.geometry(), beam.end) - corner;
   }
-  MarkBeams(ToCellUnits(grid.geometry(), laser_pose.position()) - corner);
+  MarkBeams(ToCellUnits(grid.geometry(), laser_pose.position()) - corner,
+            scan.angle_increment, grid.geometry().resolution);
 
   cv::Rect changed;
   for (int row = tiles_.y; row < tiles_.br().y; ++row) {
@@ -101,8 +107,9 @@ cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
   return changed;
 }
 
-void ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
+bool ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
   beams_.clear();
+  bool is_any = false;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const float range = scan.ranges[i];
     double length = 0.0;
@@ -112,25 +119,46 @@ void ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
     } else if (scan.IsHit(range) && range <= parameters_.max_range) {
       is_hit = range <= parameters_.max_urange;
       length = is_hit ? range : parameters_.max_urange;
-    } else {
-      continue;
     }
+    is_any = is_any || length > 0.0;
     const double angle = laser_pose.theta + scan.Angle(i);
     beams_.push_back(
         {laser_pose.position() +
              length * Eigen::Vector2d(std::cos(angle), std::sin(angle)),
-         is_hit});
+         length, is_hit});
   }
+  return is_any;
 }
 
-void ScanInserter::MarkBeams(const Eigen::Vector2d& laser) {
+double ScanInserter::SharedLength(std::size_t beam, double increment,
+                                  double resolution) const {
+  // Every second beam is left to its two neighbours, every fourth to those two
+  // beams away, and so on.
+  const std::size_t away = beam & (~beam + 1);
+  if (away == 0 || beam + away >= beams_.size()) return 0.0;
+  const double angle = away * std::abs(increment);
+  if (angle > kWidestSharing) return 0.0;
+  // Whatever its angle, a cell on the beam reaches half a cell to one side.
+  const double apart = kSharedWidth * resolution / angle;
+  const double reached =
+      std::min(beams_[beam - away].length, beams_[beam + away].length);
+  return std::max(
+      0.0, std::min({apart, reached, beams_[beam].length}) - 2.0 * resolution);
+}
+
+void ScanInserter::MarkBeams(const Eigen::Vector2d& laser, double increment,
+                             double resolution) {
   const std::size_t stride = tiles_.width;
   const std::size_t words = tiles_.height * kTile * stride;
   passed_.assign(words, 0);
   ended_.assign(words, 0);
   std::uint64_t* const passed = passed_.data();
-  for (const Beam& beam : beams_) {
-    TraverseRows(laser, beam.end, [=](int y, int first, int last) {
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    const Beam& beam = beams_[i];
+    if (beam.length == 0.0) continue;
+    const double shared = SharedLength(i, increment, resolution) / beam.length;
+    const Eigen::Vector2d begin = laser + shared * (beam.end - laser);
+    TraverseRows(begin, beam.end, [=](int y, int first, int last) {
       const unsigned low = std::min(first, last);
       const unsigned high = std::max(first, last);
       std::uint64_t* const row = passed + y * stride;

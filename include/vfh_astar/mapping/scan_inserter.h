@@ -51,11 +51,18 @@ class ScanInserter {
  private:
   struct Beam {
     Eigen::Vector2d end;  ///< m at first, then cells from the first tile.
+    double length;        ///< m; 0 when the beam says nothing.
     bool is_hit;
   };
 
-  void TraceBeams(const LaserScan& scan, const Pose2D& laser_pose);
-  void MarkBeams(const Eigen::Vector2d& laser);
+  /// @return false when no beam says anything.
+  bool TraceBeams(const LaserScan& scan, const Pose2D& laser_pose);
+  /// m of a beam, from the laser on, in which every cell that it passes through
+  /// is passed through by one of two other beams too.
+  double SharedLength(std::size_t beam, double increment,
+                      double resolution) const;
+  void MarkBeams(const Eigen::Vector2d& laser, double increment,
+                 double resolution);
   cv::Rect ApplyTile(int column, int row, LogOddsGrid& grid) const;
   bool UpdateRow(
       std::uint64_t misses, std::uint64_t hits, LogOdds* cells,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <set>
@@ -191,33 +192,29 @@ void InsertSlowly(const ScanInserterParameters& parameters,
   }
 }
 
-TEST(ScanInserter, AgreesWithTheSlowReference) {
+/// Scans from random poses into a grid that need not grow.
+void ExpectAgreement(int beams, double increment, double resolution,
+                     const std::function<float(int)>& range) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> offset(-6.0, 6.0);
-  std::uniform_real_distribution<float> range(0.0f, 9.0f);
   ScanInserterParameters parameters;
   parameters.max_urange = 5.5;
   parameters.max_range = 7.0;
   ScanInserter inserter(parameters);
-  GridGeometry geometry = Geometry();
+  GridGeometry geometry;
+  geometry.resolution = resolution;
   geometry.origin = Eigen::Vector2d(-13.0, -12.3);
-  geometry.width = 250;
-  geometry.height = 243;
+  geometry.width = static_cast<int>(25.0 / resolution);
+  geometry.height = static_cast<int>(24.3 / resolution);
   LogOddsGrid grid(geometry);
   LogOddsGrid reference(geometry);
   for (int round = 0; round < 40; ++round) {
     LaserScan scan;
     scan.angle_min = -2.3;
-    scan.angle_increment = 0.02;
+    scan.angle_increment = increment;
     scan.range_min = 0.3;
     scan.range_max = 8.0;
-    for (int i = 0; i < 240; ++i) {
-      const int kind = static_cast<int>(random() % 12);
-      scan.ranges.push_back(kind == 0   ? kInf
-                            : kind == 1 ? kNan
-                            : kind == 2 ? -kInf
-                                        : range(random));
-    }
+    for (int i = 0; i < beams; ++i) scan.ranges.push_back(range(i));
     const Pose2D pose(offset(random), offset(random), offset(random));
     const LogOddsGrid before = grid;
     const cv::Rect changed = inserter.Insert(scan, pose, grid);
@@ -233,6 +230,29 @@ TEST(ScanInserter, AgreesWithTheSlowReference) {
       }
     }
   }
+}
+
+TEST(ScanInserter, AgreesWithTheSlowReferenceOnWildRanges) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<float> length(0.0f, 9.0f);
+  ExpectAgreement(240, 0.02, 0.1, [&](int) {
+    const int kind = static_cast<int>(random() % 12);
+    return kind == 0   ? kInf
+           : kind == 1 ? kNan
+           : kind == 2 ? -kInf
+                       : length(random);
+  });
+}
+
+TEST(ScanInserter, AgreesWithTheSlowReferenceInARoom) {
+  // Beams closer than cells far out, as a laser in a room has them.
+  std::mt19937 random(13);
+  std::normal_distribution<float> noise(0.0f, 0.01f);
+  float wall = 3.0f;
+  ExpectAgreement(1080, -0.00436, 0.05, [&](int beam) {
+    if (random() % 25 == 0) wall = 0.5f + 0.01f * (random() % 600);
+    return beam % 97 == 0 ? kNan : wall + 0.002f * (beam % 40) + noise(random);
+  });
 }
 
 }  // namespace
