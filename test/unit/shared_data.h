@@ -1,5 +1,5 @@
-#ifndef VFH_ASTAR_TEST_UNIT_SHARED_DATA_H_
-#define VFH_ASTAR_TEST_UNIT_SHARED_DATA_H_
+#ifndef VFH_ASTAR_TEST_SHARED_DATA_H_
+#define VFH_ASTAR_TEST_SHARED_DATA_H_
 
 #include <gtest/gtest.h>
 
@@ -26,4 +26,4 @@ inline std::string SharedData(const std::string& path) {
                  << "; the variable VFH_ASTAR_DATA names its folder"; \
   }
 
-#endif  // VFH_ASTAR_TEST_UNIT_SHARED_DATA_H_
+#endif  // VFH_ASTAR_TEST_SHARED_DATA_H_

@@ -1,5 +1,5 @@
-#ifndef VFH_ASTAR_TEST_UNIT_TEMPORARY_FOLDER_H_
-#define VFH_ASTAR_TEST_UNIT_TEMPORARY_FOLDER_H_
+#ifndef VFH_ASTAR_TEST_TEMPORARY_FOLDER_H_
+#define VFH_ASTAR_TEST_TEMPORARY_FOLDER_H_
 
 #include <stdlib.h>
 
@@ -52,4 +52,4 @@ class TemporaryFolder {
 
 }  // namespace vfh_astar
 
-#endif  // VFH_ASTAR_TEST_UNIT_TEMPORARY_FOLDER_H_
+#endif  // VFH_ASTAR_TEST_TEMPORARY_FOLDER_H_
