@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "unit/shared_data.h"
-#include "unit/temporary_folder.h"
+#include "shared_data.h"
+#include "temporary_folder.h"
 
 namespace vfh_astar {
 namespace {

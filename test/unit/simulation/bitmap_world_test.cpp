@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "unit/temporary_folder.h"
+#include "temporary_folder.h"
 
 namespace vfh_astar {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/shared_data.h"
-#include "unit/temporary_folder.h"
+#include "shared_data.h"
+#include "temporary_folder.h"
 
 namespace vfh_astar {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/temporary_folder.h"
+#include "temporary_folder.h"
 
 namespace vfh_astar {
 namespace {
