@@ -11,11 +11,11 @@
 namespace vfh_astar {
 namespace {
 
-constexpr double kSpacing = 0.1;      // m between control points.
-constexpr int kMinIntervals = 8;      // what the smoother needs.
-constexpr double kMaxRadius = 1.0;    // m of a bubble.
-constexpr double kShare = 0.6;        // of the room beyond what is needed.
-constexpr double kSweepStep = 0.015;  // m that a corner moves between looks.
+constexpr double kSpacing = 0.1;     // m between control points.
+constexpr int kMinIntervals = 8;     // what the smoother needs.
+constexpr double kMaxRadius = 1.0;   // m of a bubble.
+constexpr double kShare = 0.6;       // of the room beyond what is needed.
+constexpr double kSweepStep = 0.01;  // m that a corner moves between looks.
 // 1/m; a sharper bend is a cusp, which a turn on the spot takes faster.
 constexpr double kMaxCurvature = 12.0;
 constexpr int kMaxTightenings = 12;

@@ -10,7 +10,12 @@ namespace {
 // m between probes of the outline at most.
 constexpr double kProbeSpacing = 0.12;
 // m that a corner moves between two checked poses of a turn.
-constexpr double kTurnStep = 0.015;
+constexpr double kTurnStep = 0.01;
+// m from the start within which no more margin is asked for.
+constexpr double kFirstMetres = 0.3;
+// m that a start inside the margin may lose: a rectangle beside a wall cannot
+// turn away from it otherwise.
+constexpr double kStartSlack = 0.01;
 
 std::vector<Eigen::Vector2d> Outline(const Footprint& footprint) {
   std::vector<Eigen::Vector2d> outline;
@@ -38,7 +43,7 @@ double MarginKept(const Footprint& footprint, const ClearanceMap& clearance,
     const double middle = 0.5 * (low + high);
     (clearance.IsFree(footprint, pose, middle) ? low : high) = middle;
   }
-  return low;
+  return low - kStartSlack;
 }
 
 }  // namespace
@@ -55,8 +60,11 @@ PoseCheck::PoseCheck(const Footprint& footprint, const ClearanceMap& clearance,
 
 double PoseCheck::MarginAt(const Eigen::Vector2d& point) const {
   if (start_margin_ >= margin_) return margin_;
-  const double left = std::min(1.0, (point - start_).norm() / kLeavingDistance);
-  return start_margin_ + left * (margin_ - start_margin_);
+  // Nothing more at first: a robot beside a wall gains room slowly.
+  const double left = std::clamp(((point - start_).norm() - kFirstMetres) /
+                                     (kLeavingDistance - kFirstMetres),
+                                 0.0, 1.0);
+  return start_margin_ + left * left * (margin_ - start_margin_);
 }
 
 bool PoseCheck::IsFree(const Pose2D& pose) const {

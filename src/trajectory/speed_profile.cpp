@@ -142,9 +142,8 @@ class Optimizer {
     const double slowest = step.lower[0].At(start);
     double fastest = std::min(step.Highest(start), largest_[0]);
     if (problem_.start_acceleration && start > 0.0) {
-      fastest = std::min(
-          fastest,
-          std::max(start + *problem_.start_acceleration * Length(0), slowest));
+      const double kept = start + *problem_.start_acceleration * Length(0);
+      fastest = std::min(fastest, std::max(kept, step.Lowest(start)));
     }
     keeps_limits_ = largest_[0] >= slowest - 1e-9;
     return std::max({fastest, slowest, 0.0});

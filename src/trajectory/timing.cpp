@@ -164,7 +164,7 @@ TimedPieces TimeDrive(const std::vector<CurvePoint>& points, bool reverse,
                       const DriveStart& start, const RobotLimits& limits,
                       const RoomSpeed& rule, const PoseCheck& check) {
   assert(points.size() >= 2);
-  constexpr int kMaxCorrections = 6;
+  constexpr int kMaxCorrections = 10;
   const double max_v = reverse ? limits.max_v_reverse : limits.max_v;
   ProfileProblem problem =
       DriveProblem(points, reverse, start, limits, rule, check);

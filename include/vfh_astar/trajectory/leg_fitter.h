@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "vfh_astar/trajectory/path_shortening.h"
+#include "vfh_astar/trajectory/polyline.h"
 #include "vfh_astar/trajectory/pose_check.h"
 #include "vfh_astar/trajectory/spline_curve.h"
 

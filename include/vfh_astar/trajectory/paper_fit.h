@@ -1,7 +1,7 @@
 #ifndef VFH_ASTAR_TRAJECTORY_PAPER_FIT_H_
 #define VFH_ASTAR_TRAJECTORY_PAPER_FIT_H_
 
-#include "vfh_astar/trajectory/path_shortening.h"
+#include "vfh_astar/trajectory/polyline.h"
 #include "vfh_astar/trajectory/trajectory.h"
 
 namespace vfh_astar {

@@ -1,14 +1,10 @@
 #ifndef VFH_ASTAR_TRAJECTORY_PATH_SHORTENING_H_
 #define VFH_ASTAR_TRAJECTORY_PATH_SHORTENING_H_
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "vfh_astar/grid/clearance.h"
+#include "vfh_astar/trajectory/polyline.h"
 
 namespace vfh_astar {
-
-using Polyline = std::vector<Eigen::Vector2d>;
 
 /// How near a shortened path may come to an obstacle; distances as in
 /// ClearanceMap, from the robot's centre.
@@ -25,21 +21,6 @@ struct ShorteningLimits {
 /// @return a subset of the path's points, with its first and its last.
 Polyline ShortenPath(const Polyline& path, const ClearanceMap& clearance,
                      const ShorteningLimits& limits);
-
-/// m
-double Length(const Polyline& line);
-
-/// Points along a line at equal distances, `count` of them (2 or more), with
-/// both ends.
-Polyline Resample(const Polyline& line, int count);
-
-/// The part of a line up to `length` metres, and the part from there on; both
-/// have the point between them.
-struct SplitLine {
-  Polyline before;
-  Polyline after;
-};
-SplitLine SplitAt(const Polyline& line, double length);
 
 }  // namespace vfh_astar
 

@@ -14,8 +14,9 @@ namespace vfh_astar {
 ///
 /// Everywhere `margin` is kept between the footprint and the edge of an
 /// occupied cell, but a robot that stands nearer to one already is not refused
-/// for what it can do nothing about: where it starts, it keeps what it has, and
-/// the margin grows to its full value over the first kLeavingDistance metres.
+/// for what it can do nothing about: where it starts, it keeps what it has but
+/// for a centimetre, and the margin grows to its full value within
+/// kLeavingDistance metres.
 class PoseCheck {
  public:
   static constexpr double kLeavingDistance = 1.0;  ///< m

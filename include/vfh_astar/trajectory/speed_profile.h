@@ -36,7 +36,8 @@ struct SpeedProfile {
 /// The squared speed u is a quadratic B-spline over length, so that speed and
 /// acceleration a = u' / 2 are continuous. Each span has one coefficient, and
 /// both u and u' are convex combinations of coefficients and of their
-/// differences: bounds put on those hold for the motion. What remains is a
+/// differences: bounds put on those hold for the motion (where the bound on
+/// speed jumps from span to span, that of the span beside). What remains is a
 /// chain of linear constraints between neighbouring coefficients,
 ///
 ///   c <= max_speed^2,
