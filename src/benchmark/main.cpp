@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "benchmark/drive_command.h"
+#include "benchmark/planner_command.h"
 
 int main(int argc, char** argv) {
   using Command = std::function<int(const std::vector<std::string>&)>;
   const std::map<std::string, Command> commands = {
       {"drive", vfh_astar::RunDriveCommand},
+      {"planner", vfh_astar::RunPlannerCommand},
   };
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const auto command =
