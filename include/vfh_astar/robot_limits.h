@@ -5,10 +5,10 @@
 
 namespace vfh_astar {
 
-/// How the robot may be driven. The defaults stay inside what a Jackal's own
-/// controller allows (2.0 m/s, 20 m/s^2, 4.0 rad/s, 25 rad/s^2).
+/// How fast the robot may be driven. The defaults are what trajectories are
+/// planned for.
 struct RobotLimits {
-  double max_v = 2.0;                     ///< m/s, forward.
+  double max_v = 1.9;                     ///< m/s, forward.
   double max_v_reverse = 0.5;             ///< m/s, backward.
   double max_w = 3.0;                     ///< rad/s
   double max_acceleration = 2.0;          ///< m/s^2, speeding up.
@@ -19,6 +19,21 @@ struct RobotLimits {
   double wheel_separation = 0.56;  ///< m; effective, as the wheel controller
                                    ///< takes it: skidding makes it wider than
                                    ///< the track.
+
+  /// What commands may ask of a Jackal, whose own controller allows 2.0 m/s, 20
+  /// m/s^2, 4.0 rad/s and 25 rad/s^2. More than what trajectories are planned
+  /// for: a robot that has fallen behind could never catch up otherwise.
+  static RobotLimits ForCommands() {
+    RobotLimits limits;
+    limits.max_v = 2.0;
+    limits.max_v_reverse = 0.6;
+    limits.max_w = 4.0;
+    limits.max_acceleration = 5.0;
+    limits.max_deceleration = 6.0;
+    limits.max_angular_acceleration = 20.0;
+    limits.max_lateral_acceleration = 3.0;
+    return limits;
+  }
 
   void Read(ParameterReader& reader) {
     reader.Number("max_v", max_v, 0.05, 20.0);

@@ -79,7 +79,7 @@ struct WatchdogParameters {
 
 struct NavigatorParameters {
   Footprint footprint;
-  RobotLimits limits;
+  RobotLimits limits = RobotLimits::ForCommands();
   int occupied_threshold = 65;    ///< percent.
   double actuation_delay = 0.05;  ///< s from a command until the robot obeys.
   TrackingParameters tracking;
