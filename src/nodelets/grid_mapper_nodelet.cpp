@@ -1,20 +1,18 @@
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/GetMap.h>
 #include <nodelet/nodelet.h>
-#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 #include <tf2_ros/transform_broadcaster.h>
 #include <tf2_ros/transform_listener.h>
 #include <vfh_astar/SaveMap.h>
 
-#include <cmath>
-#include <deque>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "vfh_astar/grid/map_file.h"
@@ -22,16 +20,12 @@
 #include "vfh_astar/ros/frame_names.h"
 #include "vfh_astar/ros/geometry_messages.h"
 #include "vfh_astar/ros/map_messages.h"
-#include "vfh_astar/ros/message_error.h"
 #include "vfh_astar/ros/ros_parameter_reader.h"
-#include "vfh_astar/ros/scan_messages.h"
+#include "vfh_astar/ros/transformed_scans.h"
+#include "vfh_astar/ros/transforms.h"
 
 namespace vfh_astar {
 namespace {
-
-constexpr int kScanQueueSize = 100;
-// s that a scan may wait for its transform.
-constexpr double kLongestWait = 2.0;
 
 struct GridMapperNodeletParameters {
   GridMapperParameters mapper;
@@ -107,10 +101,15 @@ class GridMapperNodelet : public nodelet::Nodelet {
   void Listen() {
     ros::NodeHandle& node = getNodeHandle();
     listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node);
-    scan_subscriber_ = node.subscribe<sensor_msgs::LaserScan>(
-        "front/scan", kScanQueueSize,
-        [this](const sensor_msgs::LaserScanConstPtr& scan) { OnScan(scan); },
-        nullptr, ros::TransportHints().tcpNoDelay());
+    scans_ = std::make_unique<TransformedScans>(
+        node, transforms_, parameters_.frames.odom_frame,
+        [this](const LaserScan& scan, const Pose2D& laser_pose,
+               const ros::Time& stamp) { OnScan(scan, laser_pose, stamp); });
+    pose_subscriber_ = node.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
+        "initialpose", 1,
+        [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& p) {
+          OnInitialPose(*p);
+        });
     transform_timer_ = node.createTimer(
         ros::Duration(parameters_.transform_publish_period),
         [this](const ros::TimerEvent&) { PublishTransform(); });
@@ -138,75 +137,18 @@ class GridMapperNodelet : public nodelet::Nodelet {
     PublishMap();
   }
 
-  /// Transforms come a little later than the scans that need them. Whichever
-  /// scan can be used by now is; a tf2_ros::MessageFilter would lose the one
-  /// whose transform comes while it is being queued.
-  void OnScan(const sensor_msgs::LaserScanConstPtr& newest) {
-    waiting_scans_.push_back(newest);
-    std::deque<sensor_msgs::LaserScanConstPtr> still_waiting;
-    for (const sensor_msgs::LaserScanConstPtr& scan : waiting_scans_) {
-      const double wait = (newest->header.stamp - scan->header.stamp).toSec();
-      if (transforms_.canTransform(parameters_.frames.odom_frame,
-                                   WithoutSlash(scan->header.frame_id),
-                                   scan->header.stamp)) {
-        UseScan(*scan);
-      } else if (std::abs(wait) < kLongestWait) {
-        still_waiting.push_back(scan);
-      } else {
-        DropLateScan(scan->header.frame_id);
-      }
-    }
-    waiting_scans_ = std::move(still_waiting);
-  }
-
-  void UseScan(const sensor_msgs::LaserScan& message) {
-    try {
-      const LaserMount mount = ToLaserMount(TransformToOdom(
-          WithoutSlash(message.header.frame_id), message.header.stamp));
-      const LaserScan scan = ToLaserScan(message, mount.upside_down);
-      if (const auto defect = DescribeDefect(scan)) throw MessageError(*defect);
-      if (message.header.stamp + ros::Duration(1.0) < stamp_) {
-        NODELET_WARN("time went back: the map begins anew");
-        map_from_odom_.reset();
-        Begin();
-      }
-      if (!map_from_odom_) PlaceOdometry(message.header.stamp);
-      Insert(scan, *map_from_odom_ * mount.pose, message.header.stamp);
-    } catch (const MessageError& error) {
-      ++unusable_scans_;
-      NODELET_WARN_THROTTLE(10.0, "a scan is dropped: %s", error.what());
-    } catch (const tf2::TransformException&) {
-      // tf has forgotten it meanwhile, or knows the laser but not the base.
-      DropLateScan(message.header.frame_id);
-    }
-  }
-
-  void DropLateScan(const std::string& frame) {
-    ++late_scans_;
-    NODELET_WARN_THROTTLE(
-        10.0, "scans are dropped: no transform from %s to %s at their time",
-        frame.c_str(), parameters_.frames.odom_frame.c_str());
-  }
-
-  geometry_msgs::Transform TransformToOdom(const std::string& frame,
-                                           const ros::Time& stamp) const {
-    return transforms_
-        .lookupTransform(parameters_.frames.odom_frame, frame, stamp)
-        .transform;
-  }
-
-  /// Wherever odometry is by now, the robot is at its initial pose.
-  void PlaceOdometry(const ros::Time& stamp) {
-    const Pose2D odom_from_base =
-        ToPose2D(TransformToOdom(parameters_.frames.base_frame, stamp));
-    map_from_odom_ = parameters_.initial_pose * odom_from_base.Inverse();
-    PublishTransform();
-  }
-
-  void Insert(const LaserScan& scan, const Pose2D& laser_pose,
+  /// @param[in] odom_from_laser when the scan was taken.
+  void OnScan(const LaserScan& scan, const Pose2D& odom_from_laser,
               const ros::Time& stamp) {
-    ++scans_;
-    const MapChange change = mapper_->AddScan(scan, laser_pose);
+    if (stamp + ros::Duration(1.0) < stamp_) {
+      NODELET_WARN("time went back: the map begins anew");
+      map_from_odom_.reset();
+      Begin();
+    }
+    if (!map_from_odom_) PlaceOdometry(parameters_.initial_pose, stamp);
+    ++used_scans_;
+    const MapChange change =
+        mapper_->AddScan(scan, *map_from_odom_ * odom_from_laser);
     if (!change.inserted) return;
     stamp_ = stamp;
     is_map_old_ = true;
@@ -216,6 +158,30 @@ class GridMapperNodelet : public nodelet::Nodelet {
       update_publisher_.publish(
           ToUpdateMessage(change.window, mapper_->Values(change.window),
                           parameters_.frames.map_frame, stamp));
+    }
+  }
+
+  /// Wherever odometry is at `stamp`, the robot is at `robot_pose` in the map.
+  void PlaceOdometry(const Pose2D& robot_pose, const ros::Time& stamp) {
+    const Pose2D odom_from_base =
+        ToPose2D(transforms_
+                     .lookupTransform(parameters_.frames.odom_frame,
+                                      parameters_.frames.base_frame, stamp)
+                     .transform);
+    map_from_odom_ = robot_pose * odom_from_base.Inverse();
+    PublishTransform();
+  }
+
+  void OnInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
+    geometry_msgs::PoseStamped pose;
+    pose.header = message.header;
+    pose.pose = message.pose.pose;
+    try {
+      PlaceOdometry(
+          PoseInFrame(pose, parameters_.frames.map_frame, transforms_),
+          ros::Time(0));
+    } catch (const std::exception& error) {
+      NODELET_ERROR("the initial pose cannot be used: %s", error.what());
     }
   }
 
@@ -278,14 +244,14 @@ class GridMapperNodelet : public nodelet::Nodelet {
 
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
     using diagnostic_msgs::DiagnosticStatus;
-    if (scans_ == 0) {
+    if (used_scans_ == 0) {
       status.summary(DiagnosticStatus::WARN, "no scan used yet");
     } else {
       status.summary(DiagnosticStatus::OK, "mapping");
     }
-    status.add("scans used", scans_);
-    status.add("scans dropped, no transform", late_scans_);
-    status.add("scans dropped, unusable", unusable_scans_);
+    status.add("scans used", used_scans_);
+    status.add("scans dropped, no transform", scans_->late());
+    status.add("scans dropped, unusable", scans_->unusable());
     status.add("map width [cells]", mapper_->geometry().width);
     status.add("map height [cells]", mapper_->geometry().height);
   }
@@ -297,10 +263,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
   ros::Time transform_time_;  ///< when it was published last.
   ros::Time stamp_;           ///< of the newest scan in the map.
   bool is_map_old_ = false;   ///< more is known than was published whole.
-  std::deque<sensor_msgs::LaserScanConstPtr> waiting_scans_;
-  int scans_ = 0;
-  int late_scans_ = 0;
-  int unusable_scans_ = 0;
+  int used_scans_ = 0;
 
   tf2_ros::Buffer transforms_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
@@ -314,7 +277,8 @@ class GridMapperNodelet : public nodelet::Nodelet {
   ros::Timer transform_timer_;
   ros::Timer map_timer_;
   ros::WallTimer diagnostics_timer_;
-  ros::Subscriber scan_subscriber_;
+  std::unique_ptr<TransformedScans> scans_;
+  ros::Subscriber pose_subscriber_;
 };
 
 }  // namespace vfh_astar
