@@ -118,7 +118,7 @@ Excess ExcessOf(const TrajectoryPiece& piece, double max_v,
   // Slower than this w is of no account, and ill-conditioned.
   constexpr double kSlow = 0.03;  // m/s
   Excess excess;
-  for (const double tau : {0.05, 0.25, 0.5, 0.75, 0.95}) {
+  for (const double tau : {0.0, 0.15, 0.4, 0.6, 0.85, 1.0}) {
     const Jet x = Evaluate(piece.x, piece.duration, tau);
     const Jet y = Evaluate(piece.y, piece.duration, tau);
     const double squared = x.first * x.first + y.first * y.first;
