@@ -11,7 +11,9 @@
 namespace vfh_astar {
 namespace {
 
-constexpr int kQueueSize = 10;
+// Messages for a subscriber that is late: a fraction of a second of them, as
+// unpaced a second of simulated time takes a hundredth.
+constexpr int kQueueSize = 50;
 // m above base_link, as urdf/jackal.urdf has it.
 constexpr double kLaserHeight = 0.24;
 // s by which a stamp may differ after its way through messages.

@@ -59,7 +59,7 @@ SimulatorNode::SimulatorNode(const SimulatorParameters& parameters)
                               1e-9))),
       pace_(parameters.real_time_factor) {
   clock_publisher_ =
-      ros::NodeHandle().advertise<rosgraph_msgs::Clock>("/clock", 10);
+      ros::NodeHandle().advertise<rosgraph_msgs::Clock>("/clock", 50);
   AddRobots();
   AdvertiseServices();
 }

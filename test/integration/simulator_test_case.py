@@ -26,7 +26,13 @@ class Newest:
 
     def next(self, condition=lambda message: True):
         """Waits for one that comes from now on and meets the condition."""
-        seen = self.count
+        return self._wait(self.count, condition)
+
+    def until(self, condition):
+        """As next(), but the one that is there will do."""
+        return self._wait(0, condition)
+
+    def _wait(self, seen, condition):
         end = time.monotonic() + _WALL_LIMIT
         while True:
             message = self.message

@@ -51,7 +51,7 @@ class TwoRobotsTest(SimulatorTestCase):
         command = Twist()
         command.linear.x = 1.0
         for report in reports.values():
-            report.next()
+            report.until(lambda m: not m.collided)
         for _ in range(_MANY):
             if all(report.message.collided for report in reports.values()):
                 break
