@@ -10,10 +10,21 @@
 namespace vfh_astar {
 namespace {
 
-const RobotLimits kLimits;
+// What the figures below are worked out for.
+RobotLimits Limits() {
+  RobotLimits limits;
+  limits.max_v = 2.0;
+  limits.max_v_reverse = 0.5;
+  limits.max_w = 3.0;
+  limits.max_angular_acceleration = 8.0;
+  limits.max_lateral_acceleration = 2.0;
+  return limits;
+}
+
+const RobotLimits kLimits = Limits();
 
 TEST(SpeedAtCurvature, EachLimitByHand) {
-  RobotLimits limits;
+  RobotLimits limits = kLimits;
   limits.max_wheel_speed = 10.0;
   EXPECT_DOUBLE_EQ(SpeedAtCurvature(0.0, 2.0, limits), 2.0);
   // sqrt(2 / 2) by lateral acceleration.

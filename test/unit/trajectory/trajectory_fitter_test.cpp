@@ -16,7 +16,16 @@ namespace {
 
 using Kind = TrajectoryPiece::Kind;
 
-const TrajectoryFitterParameters kParameters;
+// What the figures below are worked out for.
+TrajectoryFitterParameters Parameters() {
+  TrajectoryFitterParameters parameters;
+  parameters.limits.max_v = 2.0;
+  parameters.limits.max_acceleration = 2.0;
+  parameters.limits.max_deceleration = 2.5;
+  return parameters;
+}
+
+const TrajectoryFitterParameters kParameters = Parameters();
 
 // A planner and a fitter on one map.
 class Chain {
