@@ -44,7 +44,7 @@ PhysicsWorld::PhysicsWorld() {
   handles_ = std::make_unique<Handles>();
   dWorldSetGravity(handles_->world, 0.0, 0.0, -kGravity);
   dWorldSetERP(handles_->world, 0.2);
-  dWorldSetCFM(handles_->world, 1e-7);
+  dWorldSetCFM(handles_->world, 1e-6);
 }
 
 PhysicsWorld::~PhysicsWorld() {

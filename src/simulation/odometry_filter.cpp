@@ -15,6 +15,30 @@ constexpr double kHeadingWander = 1e-6;       // rad^2/s
 constexpr double kSpeedWander = 10.0;         // (m/s)^2/s
 constexpr double kTurnWander = 50.0;          // (rad/s)^2/s
 
+/// Accelerations are white noise; what they do to speed within a step they also
+/// do to the way, or heading and position would lag half a step behind every
+/// change of speed that the sensors report.
+OdometryFilter::Covariance ProcessNoise(double duration, double c, double s) {
+  using Column = OdometryFilter::State;
+  const auto integrated = [duration](const Column& way, const Column& speed,
+                                     double intensity) {
+    const double d = duration;
+    const OdometryFilter::Covariance noise =
+        d * d * d / 3.0 * way * way.transpose() +
+        d * d / 2.0 * (way * speed.transpose() + speed * way.transpose()) +
+        d * speed * speed.transpose();
+    return OdometryFilter::Covariance(intensity * noise);
+  };
+  const Column along = (Column() << c, s, 0.0, 0.0, 0.0).finished();
+  OdometryFilter::Covariance noise =
+      integrated(along, Column::Unit(3), kSpeedWander) +
+      integrated(Column::Unit(2), Column::Unit(4), kTurnWander);
+  noise.diagonal() += duration * (Column() << kPositionWander, kPositionWander,
+                                  kHeadingWander, 0.0, 0.0)
+                                     .finished();
+  return noise;
+}
+
 }  // namespace
 
 OdometryFilter::OdometryFilter() : covariance_(1e-9 * Covariance::Identity()) {}
@@ -39,11 +63,8 @@ void OdometryFilter::Predict(double duration) {
   state_[0] += length * c;
   state_[1] += length * s;
   state_[2] += state_[4] * duration;
-  State wander;
-  wander << kPositionWander, kPositionWander, kHeadingWander, kSpeedWander,
-      kTurnWander;
-  covariance_ = jacobian * covariance_ * jacobian.transpose();
-  covariance_.diagonal() += duration * wander;
+  covariance_ = jacobian * covariance_ * jacobian.transpose() +
+                ProcessNoise(duration, c, s);
 }
 
 void OdometryFilter::Correct(int element, double measured, double variance) {
