@@ -1,5 +1,6 @@
 #include "benchmark/drive_command.h"
 
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <fstream>
 #include <iostream>
@@ -42,6 +43,16 @@ Pose2D ParsePose(const std::string& option, const std::string& text) {
   return pose;
 }
 
+/// The map has to hold start and goal, with room for ways around; a goal beyond
+/// it is refused.
+void MakeRoom(const Pose2D& pose, GridMapperParameters* mapper) {
+  constexpr double kRoom = 15.0;  // m
+  mapper->xmin = std::min(mapper->xmin, pose.x - kRoom);
+  mapper->ymin = std::min(mapper->ymin, pose.y - kRoom);
+  mapper->xmax = std::max(mapper->xmax, pose.x + kRoom);
+  mapper->ymax = std::max(mapper->ymax, pose.y + kRoom);
+}
+
 DriveTask TaskFrom(const po::variables_map& options) {
   DriveTask task;
   task.world = LoadWorld(options["world"].as<std::string>());
@@ -59,6 +70,8 @@ DriveTask TaskFrom(const po::variables_map& options) {
   if (options.count("config") != 0) {
     task.stack = LoadStackParameters(options["config"].as<std::string>());
   }
+  MakeRoom(task.world.robots.front().pose, &task.stack.mapper);
+  MakeRoom(task.goal, &task.stack.mapper);
   task.simulation.laser = LaserPreset(options["laser"].as<std::string>());
   task.simulation.noise = NoisePreset(options["noise"].as<std::string>());
   task.simulation.seed = options["seed"].as<std::uint32_t>();
