@@ -152,7 +152,7 @@ std::optional<Manoeuvre> ManoeuvreFinder::ShiftThenDrive(
       for (const bool reverse : {false, true}) {
         if (reverse && !parameters_.may_reverse) continue;
         const std::optional<Leg> leg =
-            FitShift({pose, shift, curvature, reverse}, path);
+            FitShift(pose, {shift, curvature, curvature, reverse}, path);
         if (!leg) continue;
         Manoeuvre manoeuvre = {*leg};
         const Pose2D place = EndOf(manoeuvre);
@@ -167,21 +167,18 @@ std::optional<Manoeuvre> ManoeuvreFinder::ShiftThenDrive(
   return std::nullopt;
 }
 
-std::optional<Leg> ManoeuvreFinder::FitShift(const Shift& shift,
+std::optional<Leg> ManoeuvreFinder::FitShift(const Pose2D& from,
+                                             const ArcShape& arc,
                                              const Polyline& path) {
-  const Polyline line =
-      Arc(shift.from, shift.length, shift.curvature, shift.reverse);
-  const double turn = shift.length * shift.curvature;
-  const Pose2D place(line.back(),
-                     shift.from.theta + (shift.reverse ? -turn : turn));
+  const Polyline line = Points(arc, from);
+  const Pose2D place(line.back(), from.theta + arc.turn());
   if (!search_.check().IsFree(place)) return std::nullopt;
   const Polyline onward = search_.Shorten(PathFrom(place.position(), path));
   if (!search_.FindTurn(place, FirstDirection(onward))) return std::nullopt;
-  const double tail = shift.reverse ? kPi : 0.0;
-  const double curvature = shift.reverse ? -shift.curvature : shift.curvature;
-  return search_.FitLeg(
-      line, {line.front(), shift.from.theta + tail, curvature},
-      {line.back(), place.theta + tail, curvature}, shift.reverse);
+  const double tail = arc.reverse ? kPi : 0.0;
+  return search_.FitLeg(line, {line.front(), from.theta + tail, arc.curvature},
+                        {line.back(), place.theta + tail, arc.curvature},
+                        arc.reverse);
 }
 
 std::optional<Manoeuvre> ManoeuvreFinder::Find(

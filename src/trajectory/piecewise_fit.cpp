@@ -113,7 +113,9 @@ std::optional<FitResult> PiecewiseFit::Join() {
     if (Length(path_) < 2.0 * lead) break;
     Polyline path = path_;
     if (lead > 0.0) {
-      departure.lead = Arc(start.pose, 0.5 * lead, departure.curvature, false);
+      departure.lead =
+          Points({0.5 * lead, departure.curvature, departure.curvature, false},
+                 start.pose);
       path = SplitAt(path_, lead).after;
     }
     const std::optional<Manoeuvre> found = Complete(departure, path);
@@ -124,49 +126,64 @@ std::optional<FitResult> PiecewiseFit::Join() {
   return std::nullopt;
 }
 
-// Brakes along the arc that the robot is on, a little farther where there is no
-// room to go on from, and continues from rest: on from there, or back the way
-// it came.
+// Brakes along the arc that the robot is on, or on one that bends off where
+// that is not free, a little farther where there is no room to go on from; and
+// continues from rest.
 FitResult PiecewiseFit::StopFirst() {
+  const double curvature = CurvatureOf(request_.start.twist);
   for (const double reserve : {1.1, 1.5, 2.5}) {
-    search_.RenewEffort();
-    const std::optional<Leg> leg = StoppingLeg(reserve);
-    if (!leg) break;
-    Departure departure;
-    departure.pose = EndOf({*leg});
-    Polyline back;
-    for (const CurvePoint& point : leg->points) back.push_back(point.position);
-    std::reverse(back.begin(), back.end());
-    back.insert(back.end(), path_.begin() + 1, path_.end());
-    for (const Polyline& way :
-         {PathFrom(departure.pose.position(), path_), back}) {
-      const std::optional<Manoeuvre> found = Complete(departure, way);
-      if (!found) continue;
+    for (const double bend : {0.0, -curvature, -0.7, 0.7, -1.4, 1.4}) {
+      search_.RenewEffort();
+      const std::optional<Leg> leg = StoppingLeg(reserve, curvature + bend);
+      if (!leg) continue;
+      const std::optional<Manoeuvre> onward = FromStop(*leg);
+      if (!onward) continue;
       Manoeuvre manoeuvre = {*leg};
-      Append(manoeuvre, *found);
-      return Time(manoeuvre);
+      Append(manoeuvre, *onward);
+      FitResult result = Time(manoeuvre);
+      // Its own arc is the best that a start beyond its limits can do.
+      if (keeps_limits_ || bend == 0.0) return result;
     }
   }
   return Blocked();
 }
 
-std::optional<Leg> PiecewiseFit::StoppingLeg(double reserve) {
+// On from there, or back the way it came.
+std::optional<Manoeuvre> PiecewiseFit::FromStop(const Leg& leg) {
+  Departure departure;
+  departure.pose = EndOf({leg});
+  Polyline back;
+  for (const CurvePoint& point : leg.points) back.push_back(point.position);
+  std::reverse(back.begin(), back.end());
+  back.insert(back.end(), path_.begin() + 1, path_.end());
+  for (const Polyline& way :
+       {PathFrom(departure.pose.position(), path_), back}) {
+    std::optional<Manoeuvre> found = Complete(departure, way);
+    if (found) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Leg> PiecewiseFit::StoppingLeg(double reserve,
+                                             double end_curvature) {
   const Reference& start = request_.start;
   const RobotLimits& limits = parameters_.limits;
-  const bool reverse = start.twist.v < 0.0;
-  const double curvature = CurvatureOf(start.twist);
+  ArcShape arc;
+  arc.curvature = CurvatureOf(start.twist);
+  arc.end_curvature = end_curvature;
+  arc.reverse = start.twist.v < 0.0;
   double braking = limits.max_deceleration;
-  if (curvature != 0.0) {
-    braking = std::min(braking,
-                       limits.max_angular_acceleration / std::abs(curvature));
+  if (arc.curvature != 0.0) {
+    braking = std::min(
+        braking, limits.max_angular_acceleration / std::abs(arc.curvature));
   }
   const double squared = start.twist.v * start.twist.v;
-  const double length = std::max(kMinStop, reserve * squared / (2.0 * braking));
-  const Polyline arc = Arc(start.pose, length, curvature, reverse);
-  const double travel = start.pose.theta + (reverse ? kPi : 0.0);
-  return search_.FitLeg(arc, {arc.front(), travel, curvature},
-                        {arc.back(), travel + curvature * length, curvature},
-                        reverse);
+  arc.length = std::max(kMinStop, reserve * squared / (2.0 * braking));
+  const Polyline line = Points(arc, start.pose);
+  const double travel = start.pose.theta + (arc.reverse ? kPi : 0.0);
+  return search_.FitLeg(line, {line.front(), travel, arc.curvature},
+                        {line.back(), travel + arc.turn(), arc.end_curvature},
+                        arc.reverse);
 }
 
 std::optional<Manoeuvre> PiecewiseFit::Complete(const Departure& departure,

@@ -105,13 +105,17 @@ Polyline PathTo(const Eigen::Vector2d& to, const Polyline& path) {
   return way;
 }
 
-Polyline Arc(const Pose2D& from, double length, double curvature,
-             bool reverse) {
-  constexpr int kParts = 8;
-  const Twist2D twist = {reverse ? -1.0 : 1.0, curvature};
-  Polyline points;
-  for (int i = 0; i <= kParts; ++i) {
-    points.push_back(Integrate(from, twist, length * i / kParts).position());
+Polyline Points(const ArcShape& arc, const Pose2D& from) {
+  constexpr int kParts = 12;
+  const double step = arc.length / kParts;
+  Pose2D pose = from;
+  Polyline points = {from.position()};
+  for (int i = 0; i < kParts; ++i) {
+    const double part = (i + 0.5) / kParts;
+    const double curvature =
+        arc.curvature + part * (arc.end_curvature - arc.curvature);
+    pose = Integrate(pose, {arc.reverse ? -1.0 : 1.0, curvature}, step);
+    points.push_back(pose.position());
   }
   return points;
 }

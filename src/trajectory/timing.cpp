@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 
 #include "vfh_astar/trajectory/speed_profile.h"
 
@@ -39,6 +41,52 @@ namespace {
 constexpr double kTurnSpan = 0.1;
 constexpr int kMinTurnSpans = 8;
 
+// Values that lie below the given ones and change gradually: the least of each
+// window, averaged over the window. Cells make the room along a curve flicker,
+// which speed need not follow.
+std::vector<double> SmoothBelow(const std::vector<double>& values) {
+  constexpr int kReach = 2;
+  const int count = static_cast<int>(values.size());
+  const auto window = [&](const std::vector<double>& from, int i) {
+    return std::pair(from.begin() + std::max(0, i - kReach),
+                     from.begin() + std::min(count, i + kReach + 1));
+  };
+  std::vector<double> least(values.size());
+  std::vector<double> smooth(values.size());
+  for (int i = 0; i < count; ++i) {
+    const auto [first, last] = window(values, i);
+    least[i] = *std::min_element(first, last);
+  }
+  for (int i = 0; i < count; ++i) {
+    const auto [first, last] = window(least, i);
+    smooth[i] =
+        std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
+  }
+  return smooth;
+}
+
+// m/s that the room allows at each point. A start that is faster is given the
+// way it takes to brake: the room is a wish, and no reason to stop.
+std::vector<double> RoomSpeeds(const std::vector<CurvePoint>& points,
+                               bool reverse, const DriveStart& start,
+                               const RobotLimits& limits, const RoomSpeed& rule,
+                               const PoseCheck& check) {
+  constexpr double kBraking = 0.9;  // of what the limits allow.
+  const double max_v = reverse ? limits.max_v_reverse : limits.max_v;
+  std::vector<double> speeds;
+  for (const CurvePoint& point : points) {
+    const Pose2D pose(point.position, point.heading + (reverse ? kPi : 0.0));
+    speeds.push_back(SpeedAtRoom(check.Room(pose), max_v, rule));
+  }
+  speeds = SmoothBelow(speeds);
+  double squared = start.speed * start.speed;
+  for (std::size_t i = 0; i < points.size() && squared > 0.0; ++i) {
+    speeds[i] = std::max(speeds[i], std::sqrt(squared));
+    squared -= 2.0 * kBraking * limits.max_deceleration * points[i].length;
+  }
+  return speeds;
+}
+
 ProfileProblem DriveProblem(const std::vector<CurvePoint>& points, bool reverse,
                             const DriveStart& start, const RobotLimits& limits,
                             const RoomSpeed& rule, const PoseCheck& check) {
@@ -50,13 +98,13 @@ ProfileProblem DriveProblem(const std::vector<CurvePoint>& points, bool reverse,
                                            limits.max_angular_acceleration);
   problem.start_speed = start.speed;
   problem.start_acceleration = start.acceleration;
+  const std::vector<double> room_speeds =
+      RoomSpeeds(points, reverse, start, limits, rule, check);
   double allowed_before = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint& point = points[i];
-    const Pose2D pose(point.position, point.heading + (reverse ? kPi : 0.0));
-    const double allowed =
-        std::min(SpeedAtCurvature(point.curvature, max_v, limits),
-                 SpeedAtRoom(check.Room(pose), max_v, rule));
+    const double allowed = std::min(
+        SpeedAtCurvature(point.curvature, max_v, limits), room_speeds[i]);
     problem.curvatures.push_back(point.curvature);
     problem.curvature_rates.push_back(point.curvature_rate);
     if (i > 0) {

@@ -33,14 +33,6 @@ class ManoeuvreFinder {
                                 std::optional<double> end_heading);
 
  private:
-  /// A short drive along an arc, to where there is room to turn.
-  struct Shift {
-    Pose2D from;
-    double length;     ///< m
-    double curvature;  ///< 1/m; see Arc.
-    bool reverse;
-  };
-
   std::optional<Manoeuvre> Drive(const Departure& departure,
                                  const Polyline& path,
                                  std::optional<double> end_heading);
@@ -56,7 +48,9 @@ class ManoeuvreFinder {
   std::optional<Manoeuvre> ShiftThenDrive(const Pose2D& pose,
                                           const Polyline& path,
                                           std::optional<double> end_heading);
-  std::optional<Leg> FitShift(const Shift& shift, const Polyline& path);
+  /// A short drive along an arc, to where there is room to turn.
+  std::optional<Leg> FitShift(const Pose2D& from, const ArcShape& arc,
+                              const Polyline& path);
 
   LegSearch& search_;
   ManoeuvreParameters parameters_;

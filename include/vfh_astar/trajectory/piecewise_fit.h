@@ -35,7 +35,8 @@ class PiecewiseFit {
   FitResult FromRest();
   std::optional<FitResult> Join();
   FitResult StopFirst();
-  std::optional<Leg> StoppingLeg(double reserve);
+  std::optional<Leg> StoppingLeg(double reserve, double end_curvature);
+  std::optional<Manoeuvre> FromStop(const Leg& leg);
   std::optional<Manoeuvre> Complete(const Departure& departure,
                                     const Polyline& path);
   FitResult Time(const Manoeuvre& manoeuvre);

@@ -39,10 +39,21 @@ Polyline PathFrom(const Eigen::Vector2d& from, const Polyline& path);
 /// The path up to its point nearest to `to`, and `to`.
 Polyline PathTo(const Eigen::Vector2d& to, const Polyline& path);
 
-/// Points on the arc that a robot drives.
-/// @param[in] curvature 1/m: rad that it turns to the left in a metre, driven
-///   forward or in reverse.
-Polyline Arc(const Pose2D& from, double length, double curvature, bool reverse);
+/// An arc as a robot drives it, or a clothoid: its curvature changes in
+/// proportion to the length.
+struct ArcShape {
+  double length = 0.0;     ///< m
+  double curvature = 0.0;  ///< 1/m at the start: rad that the robot turns to
+                           ///< the left in a metre, forward or in reverse.
+  double end_curvature = 0.0;  ///< 1/m
+  bool reverse = false;        ///< the robot's tail is ahead.
+
+  /// rad, from start to end.
+  double turn() const { return 0.5 * (curvature + end_curvature) * length; }
+};
+
+/// Points along an arc from a robot's pose on.
+Polyline Points(const ArcShape& arc, const Pose2D& from);
 
 }  // namespace vfh_astar
 

@@ -47,11 +47,23 @@ TEST(Polyline, JoinsAPathFromBesideIt) {
 
 TEST(Polyline, ArcsByHand) {
   // A quarter of a circle of 1 m, to the left.
-  const Polyline forward = Arc({0, 0, 0}, kPi / 2, 1.0, false);
+  const Polyline forward = Points({kPi / 2, 1.0, 1.0, false}, {0, 0, 0});
   EXPECT_NEAR((forward.back() - Eigen::Vector2d(1, 1)).norm(), 0.0, 1e-12);
   // In reverse, turning to the left, the tail swings to the right.
-  const Polyline reverse = Arc({0, 0, 0}, kPi / 2, 1.0, true);
+  const Polyline reverse = Points({kPi / 2, 1.0, 1.0, true}, {0, 0, 0});
   EXPECT_NEAR((reverse.back() - Eigen::Vector2d(-1, -1)).norm(), 0.0, 1e-12);
+}
+
+TEST(Polyline, ClothoidTurnsByItsMeanCurvature) {
+  const ArcShape clothoid = {2.0, 0.5, 1.5, false};
+  EXPECT_DOUBLE_EQ(clothoid.turn(), 2.0);
+  // Against small steps.
+  Pose2D pose(1, 2, 0.3);
+  for (int i = 0; i < 20000; ++i) {
+    pose = Integrate(pose, {1.0, 0.5 + (i + 0.5) / 20000.0}, 1e-4);
+  }
+  const Eigen::Vector2d end = Points(clothoid, {1, 2, 0.3}).back();
+  EXPECT_NEAR((end - pose.position()).norm(), 0.0, 2e-3);
 }
 
 }  // namespace

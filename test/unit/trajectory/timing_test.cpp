@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "trajectory/largest_load.h"
 #include "trajectory/test_maps.h"
 #include "vfh_astar/trajectory/curve_smoother.h"
 
@@ -145,6 +146,42 @@ TEST_F(TimeDriveTest, ReverseTurnsTheHeadingAround) {
   EXPECT_NEAR(at.twist.v, -kLimits.max_v_reverse, 0.05);
   EXPECT_LT((after.pose.position() - at.pose.position()).dot(at.pose.heading()),
             0.0);
+}
+
+// Random walks, smoothed.
+TEST_F(TimeDriveTest, KeepsLimitsOnTenThousandCurves) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<> unit(0.0, 1.0);
+  std::normal_distribution<> turn(0.0, 1.0);
+  double sharpest = 0.0;
+  for (int trial = 0; trial < 10000; ++trial) {
+    const double wildness = 0.5 * unit(random);
+    const int count = 15 + static_cast<int>(30 * unit(random));
+    double heading = 0.0;
+    std::vector<Bubble> bubbles = {{{10, 10}, 0.0}};
+    for (int i = 1; i < count; ++i) {
+      heading += wildness * turn(random);
+      bubbles.push_back(
+          {bubbles.back().centre +
+               0.1 * Eigen::Vector2d(std::cos(heading), std::sin(heading)),
+           0.05});
+    }
+    const std::vector<CurvePoint> points =
+        SmoothThroughBubbles({{10, 10}, 0.0, 0.0},
+                             {bubbles.back().centre, heading, 0.0}, 0.1,
+                             bubbles)
+            .Sample();
+    double bend = 0.0;
+    for (const CurvePoint& point : points) {
+      bend = std::max(bend, std::abs(point.curvature));
+    }
+    // Sharper ones are cusps, which no leg has.
+    if (bend > 12.0) continue;
+    sharpest = std::max(sharpest, bend);
+    const Trajectory trajectory = Time(points, trial % 5 == 0, {});
+    ASSERT_LE(LargestLoad(trajectory, kLimits), 1.01) << trial;
+  }
+  EXPECT_GT(sharpest, 10.0);
 }
 
 TEST_F(TimeDriveTest, SlowsDownNearAWall) {

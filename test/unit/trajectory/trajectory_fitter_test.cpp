@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "trajectory/largest_load.h"
 #include "trajectory/test_maps.h"
 #include "vfh_astar/planning/path_planner.h"
 #include "vfh_astar/trajectory/polyline.h"
@@ -73,32 +74,6 @@ bool Has(const Trajectory& trajectory, Kind kind) {
 void ExpectPose(const Pose2D& pose, const Pose2D& expected) {
   EXPECT_NEAR((pose.position() - expected.position()).norm(), 0.0, 1e-6);
   EXPECT_NEAR(NormalizeAngle(pose.theta - expected.theta), 0.0, 0.011);
-}
-
-// Fraction of its limits that a trajectory takes, at worst.
-double LargestLoad(const Trajectory& trajectory) {
-  const RobotLimits& limits = kParameters.limits;
-  const double h = 1e-4;
-  double load = 0.0;
-  for (double t = 0.0; t < trajectory.duration(); t += 0.004) {
-    const Reference at = trajectory.Sample(t);
-    const double v = std::abs(at.twist.v);
-    const double w = std::abs(at.twist.w);
-    const double sign = at.twist.v < 0.0 ? -1.0 : 1.0;
-    const double a = sign * at.acceleration;
-    load = std::max(
-        {load, v / (at.twist.v < 0.0 ? limits.max_v_reverse : limits.max_v),
-         v * w / limits.max_lateral_acceleration, w / limits.max_w,
-         (v + 0.5 * limits.wheel_separation * w) / limits.max_wheel_speed,
-         a / limits.max_acceleration, -a / limits.max_deceleration});
-    // At a standstill between two pieces w jumps by a rounding error.
-    if (v < 0.03 || t < h || t + h > trajectory.duration()) continue;
-    const double dw =
-        trajectory.Sample(t + h).twist.w - trajectory.Sample(t - h).twist.w;
-    load = std::max(load,
-                    std::abs(dw) / (2 * h) / limits.max_angular_acceleration);
-  }
-  return load;
 }
 
 void ExpectContinuous(const Trajectory& trajectory) {
@@ -178,7 +153,7 @@ TEST(TrajectoryFitter, BacksOutOfADeadEnd) {
   ASSERT_EQ(result.outcome, Outcome::kSuccess) << result.message;
   EXPECT_EQ(result.trajectory.pieces().front().kind, Kind::kReverse);
   ExpectPose(result.trajectory.Sample(99).pose, {7, 5, 0});
-  EXPECT_LE(LargestLoad(result.trajectory), 1.01);
+  EXPECT_LE(LargestLoad(result.trajectory, kParameters.limits), 1.01);
 }
 
 TEST(TrajectoryFitter, BacksIntoADeadEnd) {
@@ -294,7 +269,7 @@ TEST_F(RandomFits, AreFreeAndKeepTheLimits) {
       ++fitted;
       EXPECT_FALSE(FirstCollision(result.trajectory, kParameters.footprint,
                                   chain.clearance(), 0.04, 0, 1e9));
-      EXPECT_LE(LargestLoad(result.trajectory), 1.01);
+      EXPECT_LE(LargestLoad(result.trajectory, kParameters.limits), 1.01);
       ExpectContinuous(result.trajectory);
       ExpectPose(result.trajectory.Sample(0).pose, start);
       const Pose2D end = result.trajectory.Sample(1e9).pose;
@@ -333,7 +308,7 @@ TEST_F(RandomFits, AReplanJoinsTheRunningTrajectory) {
     ExpectPose(join.pose, start.pose);
     EXPECT_NEAR(join.twist.v, start.twist.v, 1e-6);
     EXPECT_NEAR(join.twist.w, start.twist.w, 1e-4);
-    EXPECT_LE(LargestLoad(result.trajectory), 1.01) << field;
+    EXPECT_LE(LargestLoad(result.trajectory, kParameters.limits), 1.01);
     const Reference soon =
         result.trajectory.Sample(result.trajectory.TimeAtLength(1.0));
     if (soon.twist.v > 0.1) ++joined;
