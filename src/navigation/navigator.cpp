@@ -2,23 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <deque>
 #include <utility>
 
 #include "vfh_astar/navigation/arrival.h"
 #include "vfh_astar/navigation/driver.h"
+#include "vfh_astar/navigation/failure_record.h"
 #include "vfh_astar/navigation/recovery.h"
+#include "vfh_astar/navigation/stop_burst.h"
 #include "vfh_astar/navigation/trajectory_watch.h"
 
 namespace vfh_astar {
 namespace {
 
-constexpr double kRetryDelay = 0.5;        ///< s between two tries to plan.
-constexpr double kStopBurst = 0.5;         ///< s of stop commands at the most.
-constexpr double kHeldUp = 0.5;            ///< s that end a blocked recovery.
-constexpr double kLongestCycle = 0.2;      ///< s counted for one cycle.
-constexpr double kProgressDistance = 1.0;  ///< m after which recoveries count
-                                           ///< anew.
+constexpr double kRetryDelay = 0.5;    ///< s between two tries to plan.
+constexpr double kHeldUp = 0.5;        ///< s that end a blocked recovery.
+constexpr double kLongestCycle = 0.2;  ///< s counted for one cycle.
 
 struct Goal {
   std::string id;
@@ -30,23 +30,6 @@ struct Order {
   Event event;
   Goal goal;  ///< for kGoal.
 };
-
-struct Failure {
-  Outcome outcome = Outcome::kSuccess;
-  std::string message;
-};
-
-/// A failure that a moving obstacle, or a map still growing, may undo.
-bool MayPass(Outcome outcome) {
-  return outcome == Outcome::kNoPath || outcome == Outcome::kGoalBlocked ||
-         outcome == Outcome::kStartBlocked || outcome == Outcome::kNoMap ||
-         outcome == Outcome::kNoTrajectory || outcome == Outcome::kTimeout;
-}
-
-/// A failure that moving the robot a little may undo.
-bool MovingMayHelp(Outcome outcome) {
-  return outcome == Outcome::kStartBlocked || outcome == Outcome::kNoTrajectory;
-}
 
 }  // namespace
 
@@ -78,7 +61,7 @@ class Navigator::Impl {
     TakeAnswers();
     WatchFault();
     if (!observation_.fault) Watch();
-    if (was_driving && !IsDriving(machine_.state())) stop_since_ = *time_;
+    if (was_driving && !IsDriving(machine_.state())) stop_.Begin(*time_);
 
     NavigatorOutput output;
     output.command = Command(duration, &output.status.limited);
@@ -87,7 +70,7 @@ class Navigator::Impl {
       output.result = std::move(results_.front());
       results_.pop_front();
     }
-    Describe(&output.status);
+    DescribeTo(&output.status);
     return output;
   }
 
@@ -101,13 +84,14 @@ class Navigator::Impl {
   void Raise(Event event, const std::string& detail = "");
   void Perform(Action action);
   void EndGoal(Outcome outcome, const std::string& message);
-  GuardValues Guards(Event event) const;
+  std::string SuccessMessage() const;
+  void ForgetTrajectory();
+  GuardValues Guards() const;
   std::optional<Twist2D> Command(double duration, bool* limited);
   Twist2D Wanted(double duration);
-  std::optional<Twist2D> StopCommand();
   std::optional<MotionRequest> Request();
   bool IsOnReference() const;
-  void Describe(NavigatorStatus* status) const;
+  void DescribeTo(NavigatorStatus* status) const;
 
   NavigatorParameters parameters_;
   StateMachine machine_;
@@ -126,14 +110,11 @@ class Navigator::Impl {
   // Of the present goal.
   Goal goal_;
   int replans_ = 0;
-  Failure failure_;
-  std::optional<double> failing_since_;
-  int recoveries_ = 0;
-  Pose2D recovered_at_;
+  FailureRecord failure_;
 
   std::optional<double> fault_since_;
   std::optional<double> held_up_since_;
-  std::optional<double> stop_since_;
+  StopBurst stop_;
   Trajectory answer_;
 };
 
@@ -150,9 +131,8 @@ void Navigator::Impl::TakeOrders() {
     }
     goal_ = order.goal;
     replans_ = 0;
-    recoveries_ = 0;
-    failing_since_.reset();
-    failure_ = {};
+    failure_.Clear();
+    recovery_.ResetAttempts();
     Raise(Event::kGoal);
   }
 }
@@ -164,18 +144,17 @@ void Navigator::Impl::TakeAnswers() {
     if (!schedule_.Accept(answer.id)) continue;
     if (answer.outcome == Outcome::kSuccess) {
       answer_ = std::move(answer.trajectory);
-      failing_since_.reset();
+      failure_.Recovered();
       Raise(Event::kTrajectory);
       continue;
     }
-    failure_ = {answer.outcome, answer.message};
-    if (!failing_since_) failing_since_ = *time_;
+    failure_.NotePlanning(*time_, answer.outcome, answer.message);
     Raise(Event::kPlanFailed, answer.message);
   }
   if (schedule_.HasTimedOut(*time_)) {
-    failure_ = {Outcome::kTimeout, "the planner did not answer in time"};
-    if (!failing_since_) failing_since_ = *time_;
-    Raise(Event::kPlanFailed, failure_.message);
+    failure_.NotePlanning(*time_, Outcome::kTimeout,
+                          "the planner did not answer in time");
+    Raise(Event::kPlanFailed, failure_.message());
   }
 }
 
@@ -188,8 +167,8 @@ void Navigator::Impl::WatchFault() {
   if (!HasGoal(machine_.state())) return;
   reason_ = observation_.fault->message;
   if (*time_ - *fault_since_ > parameters_.watchdog.fault_patience) {
-    failure_ = {observation_.fault->outcome, observation_.fault->message};
-    Raise(Event::kFault, failure_.message);
+    failure_.Note(observation_.fault->outcome, observation_.fault->message);
+    Raise(Event::kFault, failure_.message());
   }
 }
 
@@ -214,7 +193,7 @@ void Navigator::Impl::WatchTrajectory() {
       watch_.Update(machine_.state(), observation_, driver_.follower());
   if (!notice) return;
   if (notice->event == Event::kStuck) {
-    failure_ = {Outcome::kStuck, "the robot made no progress"};
+    failure_.Note(Outcome::kStuck, "the robot made no progress");
   }
   if (notice->event == Event::kObstacle) driver_.ResetAvoidance();
   Raise(notice->event, notice->detail);
@@ -225,21 +204,18 @@ void Navigator::Impl::WatchRecovery() {
   if (held_up || !recovery_.Update(observation_)) Raise(Event::kRecovered);
 }
 
-GuardValues Navigator::Impl::Guards(Event event) const {
+GuardValues Navigator::Impl::Guards() const {
   GuardValues guards;
   guards.moving =
       !observation_.fault && !IsStanding(observation_.twist, parameters_.goal);
-  guards.may_retry = MayPass(failure_.outcome) && failing_since_ &&
-                     *time_ - *failing_since_ < parameters_.goal.patience;
-  const bool could_help =
-      event == Event::kStuck || MovingMayHelp(failure_.outcome);
-  guards.may_recover = could_help && !observation_.fault &&
-                       recoveries_ < parameters_.recovery.max_attempts;
+  guards.may_retry = failure_.MayPass(*time_, parameters_.goal.patience);
+  guards.may_recover = !observation_.fault && failure_.MovingMayHelp() &&
+                       recovery_.HasAttemptLeft(observation_.pose);
   return guards;
 }
 
 void Navigator::Impl::Raise(Event event, const std::string& detail) {
-  const std::optional<Action> action = machine_.Handle(event, Guards(event));
+  const std::optional<Action> action = machine_.Handle(event, Guards());
   if (!action) return;
   reason_ = ToString(event) + (detail.empty() ? "" : ": " + detail);
   if (event == Event::kPlanFailed) reason_ = detail;
@@ -253,7 +229,7 @@ void Navigator::Impl::Perform(Action action) {
     case Action::kRequestPlan:
       ++replans_;
       schedule_.Want(*time_, 0.0);
-      if (machine_.state() == State::kPlanning) driver_.follower().Clear();
+      if (machine_.state() == State::kPlanning) ForgetTrajectory();
       break;
     case Action::kRetryPlan:
       schedule_.Want(*time_, kRetryDelay);
@@ -265,29 +241,23 @@ void Navigator::Impl::Perform(Action action) {
       break;
     case Action::kStop:
       schedule_.Clear();
-      driver_.follower().Clear();
+      ForgetTrajectory();
       break;
     case Action::kStartRecovery:
       schedule_.Clear();
-      driver_.follower().Clear();
-      watch_.Reset();
+      ForgetTrajectory();
       held_up_since_.reset();
-      if ((observation_.pose.position() - recovered_at_.position()).norm() >
-          kProgressDistance) {
-        recoveries_ = 0;
-      }
-      recovered_at_ = observation_.pose;
-      recovery_.Start(recoveries_++, observation_);
+      recovery_.Start(observation_);
       reason_ += "; " + recovery_.Description();
       break;
     case Action::kReportCancelled:
       EndGoal(Outcome::kCancelled, "cancelled");
       break;
     case Action::kReportSuccess:
-      EndGoal(Outcome::kSuccess, "goal reached");
+      EndGoal(Outcome::kSuccess, SuccessMessage());
       break;
     case Action::kReportFailure:
-      EndGoal(failure_.outcome, failure_.message);
+      EndGoal(failure_.outcome(), failure_.message());
       break;
   }
 }
@@ -295,16 +265,33 @@ void Navigator::Impl::Perform(Action action) {
 void Navigator::Impl::EndGoal(Outcome outcome, const std::string& message) {
   results_.push_back({goal_.id, outcome, message});
   schedule_.Clear();
-  if (!HasGoal(machine_.state())) {
-    driver_.follower().Clear();
-    watch_.Reset();
-  }
+  if (!HasGoal(machine_.state())) ForgetTrajectory();
+}
+
+std::string Navigator::Impl::SuccessMessage() const {
+  const double moved =
+      (driver_.follower().End().position() - goal_.pose.position()).norm();
+  if (moved <= parameters_.goal.xy_goal_tolerance) return "goal reached";
+  char text[96];
+  std::snprintf(text, sizeof(text),
+                "reached the nearest free place, %.2f m from the goal", moved);
+  return text;
+}
+
+void Navigator::Impl::ForgetTrajectory() {
+  driver_.follower().Clear();
+  watch_.Reset();
 }
 
 std::optional<Twist2D> Navigator::Impl::Command(double duration,
                                                 bool* limited) {
-  if (!IsDriving(machine_.state())) return StopCommand();
-  stop_since_.reset();
+  const bool standing =
+      !observation_.fault && IsStanding(observation_.twist, parameters_.goal);
+  if (!IsDriving(machine_.state())) {
+    driver_.Stopped();
+    return stop_.Update(*time_, standing);
+  }
+  stop_.Cancel();
   if (observation_.fault) {
     driver_.Stopped();
     return Twist2D();
@@ -329,20 +316,6 @@ Twist2D Navigator::Impl::Wanted(double duration) {
   if (watch_.avoiding()) return driver_.Avoid(observation_, duration);
   const bool hold_position = driver_.follower().ended() && watch_.at_end();
   return driver_.Track(observation_, duration, hold_position);
-}
-
-std::optional<Twist2D> Navigator::Impl::StopCommand() {
-  driver_.Stopped();
-  if (!stop_since_) return std::nullopt;
-  // One burst: until the robot stands, and no longer.
-  const double since = *time_ - *stop_since_;
-  const bool standing = !observation_.fault && since > 0.0 &&
-                        IsStanding(observation_.twist, parameters_.goal);
-  if (standing || since > kStopBurst) {
-    stop_since_.reset();
-    return std::nullopt;
-  }
-  return Twist2D();
 }
 
 bool Navigator::Impl::IsOnReference() const {
@@ -385,7 +358,7 @@ std::optional<MotionRequest> Navigator::Impl::Request() {
   return request;
 }
 
-void Navigator::Impl::Describe(NavigatorStatus* status) const {
+void Navigator::Impl::DescribeTo(NavigatorStatus* status) const {
   status->state = machine_.state();
   status->reason = reason_;
   status->replans = std::max(0, replans_ - 1);

@@ -10,6 +10,7 @@ constexpr double kTrailSpacing = 0.05;  ///< m
 constexpr double kTrailLength = 3.0;    ///< m
 constexpr double kLookBack = 0.2;       ///< m along the trail that is aimed at.
 constexpr double kTurnDone = 0.15;      ///< rad
+constexpr double kProgress = 1.0;       ///< m after which attempts count anew.
 
 }  // namespace
 
@@ -26,12 +27,22 @@ void Recovery::Record(const Pose2D& pose) {
   if (trail_.size() > kTrailLength / kTrailSpacing) trail_.pop_front();
 }
 
-void Recovery::Start(int attempt, const Observation& observation) {
+bool Recovery::HasLeft(const Pose2D& pose) const {
+  return (pose.position() - start_.position()).norm() > kProgress;
+}
+
+bool Recovery::HasAttemptLeft(const Pose2D& pose) const {
+  return parameters_.max_attempts > 0 &&
+         (attempts_ < parameters_.max_attempts || HasLeft(pose));
+}
+
+void Recovery::Start(const Observation& observation) {
+  if (HasLeft(observation.pose)) attempts_ = 0;
   start_time_ = observation.time;
   start_ = observation.pose;
   const bool can_back_up = trail_.size() > 1;
-  manoeuvre_ =
-      attempt % 2 == 0 && can_back_up ? Manoeuvre::kBackUp : Manoeuvre::kTurn;
+  manoeuvre_ = attempts_++ % 2 == 0 && can_back_up ? Manoeuvre::kBackUp
+                                                   : Manoeuvre::kTurn;
   turn_target_ =
       NormalizeAngle(observation.pose.theta +
                      MostOpenDirection(observation.obstacles, footprint_));

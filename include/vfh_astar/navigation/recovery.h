@@ -24,11 +24,15 @@ class Recovery {
   /// Notes where the robot has been. Call in every cycle that is no recovery.
   void Record(const Pose2D& pose);
 
-  /// Forgets where the robot has been, after a jump of its pose.
-  void ForgetTrail() { trail_.clear(); }
+  /// Attempts count anew, as for a new goal.
+  void ResetAttempts() { attempts_ = 0; }
 
-  /// Begins the manoeuvre number `attempt` (from 0).
-  void Start(int attempt, const Observation& observation);
+  /// True while fewer than max_attempts have been made without leaving the
+  /// place of the last one.
+  bool HasAttemptLeft(const Pose2D& pose) const;
+
+  /// Begins the next manoeuvre.
+  void Start(const Observation& observation);
 
   /// @return the command, or nothing when the manoeuvre has ended.
   std::optional<Twist2D> Update(const Observation& observation);
@@ -39,12 +43,14 @@ class Recovery {
  private:
   enum class Manoeuvre { kBackUp, kTurn };
 
+  bool HasLeft(const Pose2D& pose) const;
   std::optional<Twist2D> BackUp(const Observation& observation);
   std::optional<Twist2D> Turn(const Observation& observation) const;
 
   const RecoveryParameters& parameters_;
   const Footprint& footprint_;
   std::deque<Pose2D> trail_;  ///< oldest first.
+  int attempts_ = 0;
   Manoeuvre manoeuvre_ = Manoeuvre::kBackUp;
   double start_time_ = 0.0;
   Pose2D start_;

@@ -42,7 +42,7 @@ TEST_F(RecoveryTest, BacksUpAlongTheWayItCame) {
     recovery_.Record(on_circle(angle));
   }
   observation_.pose = on_circle(1.0);
-  recovery_.Start(0, observation_);
+  recovery_.Start(observation_);
   RunToEnd();
   const Eigen::Vector2d from_center =
       observation_.pose.position() - Eigen::Vector2d(0.0, 2.0);
@@ -53,7 +53,7 @@ TEST_F(RecoveryTest, BacksUpAlongTheWayItCame) {
 
 TEST_F(RecoveryTest, TurnsInsteadWhenItCameFromNowhere) {
   observation_.obstacles = {{0.5, 0.0}};
-  recovery_.Start(0, observation_);
+  recovery_.Start(observation_);
   const auto command = recovery_.Update(observation_);
   ASSERT_TRUE(command.has_value());
   EXPECT_EQ(command->v, 0.0);
@@ -66,7 +66,7 @@ TEST_F(RecoveryTest, TurnsToTheMostOpenDirection) {
     observation_.obstacles.emplace_back(0.6, y);
     observation_.obstacles.emplace_back(y, -0.6);
   }
-  recovery_.Start(1, observation_);
+  recovery_.Start(observation_);
   RunToEnd();
   EXPECT_GT(observation_.pose.theta, 1.0);
   EXPECT_LT(observation_.pose.theta, 2.2);
@@ -84,7 +84,7 @@ TEST_F(RecoveryTest, DoesNotBackIntoWhatTheMapKnows) {
   clearance.SetMap(map);
   observation_.map = &clearance;
   for (double x = -1.0; x <= 0.0; x += 0.05) recovery_.Record({x, 0.0, 0.0});
-  recovery_.Start(0, observation_);
+  recovery_.Start(observation_);
   RunToEnd();
   EXPECT_GT(observation_.pose.x, -0.1);
 }
@@ -92,13 +92,24 @@ TEST_F(RecoveryTest, DoesNotBackIntoWhatTheMapKnows) {
 TEST_F(RecoveryTest, IsBoundedInTime) {
   // A robot that cannot move, however it is told.
   for (double x = -1.0; x <= 0.0; x += 0.05) recovery_.Record({x, 0.0, 0.0});
-  for (const int attempt : {0, 1}) {
+  for (int attempt = 0; attempt < 2; ++attempt) {
     observation_.obstacles = {{0.5, 0.0}};
-    recovery_.Start(attempt, observation_);
+    recovery_.Start(observation_);
     const double start = observation_.time;
     while (recovery_.Update(observation_)) observation_.time += kPeriod;
     EXPECT_LE(observation_.time - start, parameters_.max_time + 2 * kPeriod);
   }
+}
+
+TEST_F(RecoveryTest, AttemptsAreCountedAtOnePlace) {
+  parameters_.max_attempts = 2;
+  EXPECT_TRUE(recovery_.HasAttemptLeft(observation_.pose));
+  recovery_.Start(observation_);
+  recovery_.Start(observation_);
+  EXPECT_FALSE(recovery_.HasAttemptLeft(observation_.pose));
+  EXPECT_TRUE(recovery_.HasAttemptLeft({1.5, 0.0, 0.0})) << "another place";
+  recovery_.ResetAttempts();
+  EXPECT_TRUE(recovery_.HasAttemptLeft(observation_.pose));
 }
 
 TEST(MostOpenDirectionTest, ByHand) {
