@@ -11,6 +11,7 @@ from driver import scene, world_file
 from driver.launched_stack import LaunchedStack, LaunchError
 
 _OUTPUT = os.path.join(scene.OUTPUT, "demo")
+_MAP_MARGIN = 20.0  # m
 
 
 def parse_arguments(arguments):
@@ -33,9 +34,22 @@ def parse_arguments(arguments):
     return options
 
 
+def map_extent(options):
+    """The map to begin with, with room around start and goal; a map given
+    beforehand has its own extent."""
+    if options.map is not None:
+        return {}
+    (x, y, _), (goal_x, goal_y, _) = options.start, options.goal
+    return {"xmin": min(x, goal_x) - _MAP_MARGIN,
+            "ymin": min(y, goal_y) - _MAP_MARGIN,
+            "xmax": max(x, goal_x) + _MAP_MARGIN,
+            "ymax": max(y, goal_y) + _MAP_MARGIN}
+
+
 def launch_arguments(options):
     x, y, yaw = options.start
     return {
+        **map_extent(options),
         "world": options.world, "x": x, "y": y, "yaw": yaw,
         # The map has the world's coordinates when the robot knows where in the
         # world it starts.
