@@ -3,6 +3,7 @@
 #include <nav_msgs/GetMap.h>
 #include <nodelet/nodelet.h>
 #include <std_msgs/Float64.h>
+#include <std_msgs/Header.h>
 #include <std_srvs/Empty.h>
 #include <tf2_ros/transform_broadcaster.h>
 #include <tf2_ros/transform_listener.h>
@@ -81,6 +82,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
         node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
     update_publisher_ =
         node.advertise<map_msgs::OccupancyGridUpdate>("map_updates", 100);
+    mapped_publisher_ = node.advertise<std_msgs::Header>("mapped_scan", 10);
     entropy_publisher_ =
         getPrivateNodeHandle().advertise<std_msgs::Float64>("entropy", 1, true);
   }
@@ -147,8 +149,14 @@ class GridMapperNodelet : public nodelet::Nodelet {
     }
     if (!map_from_odom_) PlaceOdometry(parameters_.initial_pose, stamp);
     ++used_scans_;
-    const MapChange change =
-        mapper_->AddScan(scan, *map_from_odom_ * odom_from_laser);
+    Publish(mapper_->AddScan(scan, *map_from_odom_ * odom_from_laser), stamp);
+    std_msgs::Header mapped;
+    mapped.stamp = stamp;
+    mapped.frame_id = parameters_.frames.map_frame;
+    mapped_publisher_.publish(mapped);
+  }
+
+  void Publish(const MapChange& change, const ros::Time& stamp) {
     if (!change.inserted) return;
     stamp_ = stamp;
     is_map_old_ = true;
@@ -272,6 +280,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
   ros::Publisher map_publisher_;
   ros::Publisher metadata_publisher_;
   ros::Publisher update_publisher_;
+  ros::Publisher mapped_publisher_;
   ros::Publisher entropy_publisher_;
   std::vector<ros::ServiceServer> services_;
   ros::Timer transform_timer_;

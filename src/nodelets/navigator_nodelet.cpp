@@ -1,11 +1,13 @@
 #include <nodelet/nodelet.h>
 #include <std_msgs/Empty.h>
+#include <std_msgs/Header.h>
 #include <std_srvs/Empty.h>
 #include <vfh_astar/GoalConfig.h>
 #include <vfh_astar/SafetyConfig.h>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
 
@@ -14,6 +16,7 @@
 #include "vfh_astar/ros/frame_names.h"
 #include "vfh_astar/ros/geometry_messages.h"
 #include "vfh_astar/ros/goal_server.h"
+#include "vfh_astar/ros/lockstep.h"
 #include "vfh_astar/ros/message_error.h"
 #include "vfh_astar/ros/motion_messages.h"
 #include "vfh_astar/ros/navigation_messages.h"
@@ -32,11 +35,13 @@ struct NavigatorNodeletParameters {
   FrameNames frames;
   double control_frequency = 20.0;  ///< Hz, of the cycle while no scan comes;
                                     ///< else every scan brings one.
+  bool lockstep = false;            ///< with a simulator that is, see Lockstep.
 
   void Read(ParameterReader& reader) {
     navigator.Read(reader);
     frames.Read(reader);
     reader.Number("control_frequency", control_frequency, 1.0, 200.0);
+    reader.Flag("lockstep", lockstep);
   }
 };
 
@@ -71,6 +76,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
         ReadParameters<NavigatorNodeletParameters>(getPrivateNodeHandle());
     period_ = ros::Duration(1.0 / parameters_.control_frequency);
     navigator_ = std::make_unique<Navigator>(parameters_.navigator);
+    lockstep_ = std::make_unique<Lockstep>(parameters_.lockstep);
     Advertise();
     ros::NodeHandle& node = getNodeHandle();
     inputs_ = std::make_unique<RobotInputs>(
@@ -113,11 +119,20 @@ class NavigatorNodelet : public nodelet::Nodelet {
         "plan_failure", 10, [this](const MotionFailureConstPtr& message) {
           const MotionAnswer answer = ToAnswer(*message);
           navigator_->PlanFailed(answer.id, answer.outcome, answer.message);
+          PublishState(lockstep_->TakeAnswer(answer.id));
         });
     cancel_subscriber_ = node.subscribe<std_msgs::Empty>(
         "cancel", 1,
         [this](const std_msgs::EmptyConstPtr&) { navigator_->Cancel(); });
-    inputs_->Listen(node, [this] { Cycle(); });
+    if (parameters_.lockstep) {
+      mapped_subscriber_ = node.subscribe<std_msgs::Header>(
+          "mapped_scan", 10, [this](const std_msgs::HeaderConstPtr& mapped) {
+            if (lockstep_->TakeMapped(mapped->stamp)) Cycle();
+          });
+    }
+    inputs_->Listen(node, [this] {
+      if (lockstep_->TakeScan(inputs_->scan_stamp())) Cycle();
+    });
     timer_ = node.createTimer(period_, [this](const ros::TimerEvent&) {
       // Scans that keep away must not keep the watchdogs from running.
       if (ros::Time::now() - last_cycle_ >= period_ || IsTimeReset()) Cycle();
@@ -158,8 +173,9 @@ class NavigatorNodelet : public nodelet::Nodelet {
         throw MessageError("its frame is '" + message.header.frame_id +
                            "'; expected '" + frame + "'");
       }
-      navigator_->SetTrajectory(static_cast<int>(message.request_id),
-                                ToTrajectory(message));
+      const int id = static_cast<int>(message.request_id);
+      navigator_->SetTrajectory(id, ToTrajectory(message));
+      PublishState(lockstep_->TakeAnswer(id));
     } catch (const MessageError& error) {
       NODELET_WARN_THROTTLE(10.0, "a trajectory is dropped: %s", error.what());
     }
@@ -194,7 +210,23 @@ class NavigatorNodelet : public nodelet::Nodelet {
     const NavigatorOutput output = navigator_->Update(input);
     Act(output);
     ReportPose(input, time);
+    AnswerScan(output);
     Show(output.status, time);
+  }
+
+  void AnswerScan(const NavigatorOutput& output) {
+    std_msgs::Header header;
+    header.stamp = last_cycle_;
+    header.frame_id = parameters_.frames.map_frame;
+    std::optional<int> question;
+    if (output.request) question = output.request->id;
+    PublishState(lockstep_->TakeState(
+        ToStateMessage(output.status, header, inputs_->scan_stamp()),
+        question));
+  }
+
+  void PublishState(const std::optional<NavigationState>& state) {
+    if (state) state_publisher_.publish(*state);
   }
 
   /// A simulation was reset: what was going on belongs to a time that is to
@@ -207,6 +239,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
     navigator_ = std::make_unique<Navigator>(parameters_.navigator);
     last_cycle_ = ros::Time();
     is_moving_ = false;
+    lockstep_->Reset();
   }
 
   void Act(const NavigatorOutput& output) {
@@ -233,12 +266,8 @@ class NavigatorNodelet : public nodelet::Nodelet {
   }
 
   void Show(const NavigatorStatus& status, const ros::Time& time) {
-    std_msgs::Header in_map;
-    in_map.stamp = time;
-    in_map.frame_id = parameters_.frames.map_frame;
-    state_publisher_.publish(
-        ToStateMessage(status, in_map, inputs_->scan_stamp()));
-    std_msgs::Header in_base = in_map;
+    std_msgs::Header in_base;
+    in_base.stamp = time;
     in_base.frame_id = parameters_.frames.base_frame;
     if (footprint_publisher_.getNumSubscribers() > 0) {
       footprint_publisher_.publish(
@@ -261,6 +290,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
   NavigatorNodeletParameters parameters_;
   ros::Duration period_;
   std::unique_ptr<Navigator> navigator_;
+  std::unique_ptr<Lockstep> lockstep_;
   ros::Time last_cycle_;
   ros::Time last_now_;   ///< the clock at the last cycle.
   ros::Time last_scan_;  ///< the newest scan's stamp at the last cycle.
@@ -284,6 +314,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
   ros::Subscriber trajectory_subscriber_;
   ros::Subscriber failure_subscriber_;
   ros::Subscriber cancel_subscriber_;
+  ros::Subscriber mapped_subscriber_;
   ros::Timer timer_;
 };
 

@@ -13,7 +13,8 @@ namespace vfh_astar {
 namespace {
 
 constexpr int kQueueSize = 100;
-constexpr double kLongestWait = 2.0;  // s
+constexpr double kLongestWait = 2.0;    // s
+constexpr double kRetryPeriod = 0.005;  // s of the wall's.
 
 }  // namespace
 
@@ -21,17 +22,24 @@ TransformedScans::TransformedScans(ros::NodeHandle node,
                                    const tf2_ros::Buffer& transforms,
                                    std::string frame, Use use)
     : transforms_(transforms), frame_(std::move(frame)), use_(std::move(use)) {
+  retry_timer_ = node.createWallTimer(
+      ros::WallDuration(kRetryPeriod),
+      [this](const ros::WallTimerEvent&) { UseWhatIsReady(); },
+      /*oneshot=*/false, /*autostart=*/false);
   subscriber_ = node.subscribe<sensor_msgs::LaserScan>(
       "front/scan", kQueueSize,
-      [this](const sensor_msgs::LaserScanConstPtr& scan) { Take(scan); },
+      [this](const sensor_msgs::LaserScanConstPtr& scan) {
+        waiting_.push_back(scan);
+        UseWhatIsReady();
+      },
       nullptr, ros::TransportHints().tcpNoDelay());
 }
 
-void TransformedScans::Take(const sensor_msgs::LaserScanConstPtr& newest) {
-  waiting_.push_back(newest);
+void TransformedScans::UseWhatIsReady() {
   std::deque<sensor_msgs::LaserScanConstPtr> still_waiting;
   for (const sensor_msgs::LaserScanConstPtr& scan : waiting_) {
-    const double wait = (newest->header.stamp - scan->header.stamp).toSec();
+    const ros::Time newest = waiting_.back()->header.stamp;
+    const double wait = (newest - scan->header.stamp).toSec();
     if (transforms_.canTransform(frame_, WithoutSlash(scan->header.frame_id),
                                  scan->header.stamp)) {
       TryToUse(*scan);
@@ -42,6 +50,11 @@ void TransformedScans::Take(const sensor_msgs::LaserScanConstPtr& newest) {
     }
   }
   waiting_ = std::move(still_waiting);
+  if (waiting_.empty()) {
+    retry_timer_.stop();
+  } else {
+    retry_timer_.start();
+  }
 }
 
 void TransformedScans::TryToUse(const sensor_msgs::LaserScan& message) {

@@ -16,9 +16,8 @@ namespace vfh_astar {
 
 /// The scans on `front/scan` with the laser's pose in a frame of tf when each
 /// was taken. Transforms come a little later than the scans that need them, so
-/// scans wait, for 2 s at the most, until a later scan finds their transform. A
-/// tf2_ros::MessageFilter would lose the one whose transform comes while it is
-/// being queued.
+/// scans wait, until a scan comes that is 2 s younger. A tf2_ros::MessageFilter
+/// would lose the one whose transform comes while it is being queued.
 ///
 /// Scans that cannot be used are dropped with a warning and counted.
 class TransformedScans {
@@ -41,7 +40,7 @@ class TransformedScans {
   int unusable() const { return unusable_; }
 
  private:
-  void Take(const sensor_msgs::LaserScanConstPtr& newest);
+  void UseWhatIsReady();
   void TryToUse(const sensor_msgs::LaserScan& message);
   void DropLate(const sensor_msgs::LaserScan& message);
 
@@ -51,6 +50,7 @@ class TransformedScans {
   std::deque<sensor_msgs::LaserScanConstPtr> waiting_;
   int late_ = 0;
   int unusable_ = 0;
+  ros::WallTimer retry_timer_;  ///< runs while scans wait.
   ros::Subscriber subscriber_;
 };
 

@@ -1,0 +1,57 @@
+#ifndef VFH_ASTAR_ROS_LOCKSTEP_H_
+#define VFH_ASTAR_ROS_LOCKSTEP_H_
+
+#include <ros/time.h>
+#include <vfh_astar/NavigationState.h>
+
+#include <optional>
+
+namespace vfh_astar {
+
+/// For a simulator that holds its clock until `navigation_state` answers its
+/// scan: lets the cycle of a scan run when the map has all scans before it, and
+/// lets a cycle that asks for a trajectory answer only when the trajectory has
+/// come. So mapping and planning take the same simulated time however slow the
+/// machine. A scan's own transform may come after it, so the map cannot wait
+/// for that one too.
+///
+/// When it is off nothing waits.
+class Lockstep {
+ public:
+  explicit Lockstep(bool is_on) : is_on_(is_on) {}
+
+  /// A scan has come.
+  /// @return true when its cycle may run now. A scan that comes while the one
+  ///   before it still waits is let through: the simulator has lost patience.
+  bool TakeScan(const ros::Time& stamp);
+
+  /// The map has all scans up to `stamp`.
+  /// @return true when a cycle has waited for that.
+  bool TakeMapped(const ros::Time& stamp);
+
+  /// A cycle has run.
+  /// @param[in] question the id of what it asked, if it did.
+  /// @return the state to send now; nothing when it waits for the answer.
+  std::optional<NavigationState> TakeState(const NavigationState& state,
+                                           std::optional<int> question);
+
+  /// A question was answered.
+  /// @return the state that has waited for that.
+  std::optional<NavigationState> TakeAnswer(int question);
+
+  /// Time begins anew.
+  void Reset();
+
+ private:
+  bool is_on_;
+  ros::Time scan_;    ///< the newest.
+  ros::Time needed_;  ///< the one before it.
+  ros::Time mapped_;
+  bool is_waiting_ = false;  ///< a cycle is, for the map.
+  std::optional<int> question_;
+  NavigationState held_;  ///< while question_ is set.
+};
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_ROS_LOCKSTEP_H_
