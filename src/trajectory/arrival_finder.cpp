@@ -28,8 +28,8 @@ std::optional<Arrival> ArrivalFinder::Find(const Departure& departure,
     if (!AddTurn(departure.pose, goal.theta, turn)) return std::nullopt;
     return Arrival{std::move(turn), true};
   }
-  const double off = std::abs(
-      NormalizeAngle(goal.theta - LastDirection(search_.Shorten(path))));
+  const double off =
+      std::abs(NormalizeAngle(goal.theta - search_.DirectionInto(path)));
   if (off <= parameters_.turn_threshold) {
     std::optional<Manoeuvre> bending =
         finder_.Find(departure, path, goal.theta);
@@ -77,7 +77,7 @@ std::optional<Manoeuvre> ArrivalFinder::StraightIn(const Departure& departure,
           goal.position() -
           back * Eigen::Vector2d(std::cos(travel), std::sin(travel));
       const Polyline way = PathTo(place, path);
-      const Pose2D arrival(place, LastDirection(search_.Shorten(way)));
+      const Pose2D arrival(place, search_.DirectionInto(way));
       if (!search_.FindTurn(arrival, goal.theta)) continue;
       const std::optional<Leg> last =
           search_.FitLeg({place, goal.position()}, {place, travel, 0.0},
@@ -106,8 +106,7 @@ std::optional<Manoeuvre> ArrivalFinder::TailFirst(const Departure& departure,
     const SplitLine parts = SplitAt(path, length - back);
     const Polyline line = search_.Shorten(parts.after);
     const double travel = FirstDirection(line);
-    const Pose2D stop(line.front(),
-                      LastDirection(search_.Shorten(parts.before)));
+    const Pose2D stop(line.front(), search_.DirectionInto(parts.before));
     if (!search_.FindTurn(stop, travel + kPi)) continue;
     const std::optional<Leg> last =
         search_.FitLeg(line, {line.front(), travel, 0.0},

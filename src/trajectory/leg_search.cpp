@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "vfh_astar/trajectory/path_shortening.h"
-
 namespace vfh_astar {
 namespace {
 
@@ -13,6 +11,8 @@ namespace {
 constexpr double kMaxEffort = 1000.0;
 // m from a leg's end within which a collision is the end's fault.
 constexpr double kEndReach = 0.5;
+// m of a path that are looked at for the direction of its end.
+constexpr double kLastMetres = 2.0;
 
 }  // namespace
 
@@ -36,11 +36,22 @@ void LegSearch::RenewEffort() {
   total_effort_left_ = kMaxEffort;
 }
 
+ShorteningLimits LegSearch::Limits() const {
+  return {check_.footprint().InscribedRadius() + check_.margin(),
+          check_.footprint().CircumscribedRadius() + fast_room_};
+}
+
 Polyline LegSearch::Shorten(const Polyline& path) const {
-  ShorteningLimits limits;
-  limits.needed = check_.footprint().InscribedRadius() + check_.margin();
-  limits.wanted = check_.footprint().CircumscribedRadius() + fast_room_;
-  return ShortenPath(path, check_.clearance(), limits);
+  return ShortenPath(path, check_.clearance(), Limits());
+}
+
+double LegSearch::DirectionFrom(const Polyline& path) const {
+  return FirstShortenedDirection(path, check_.clearance(), Limits());
+}
+
+double LegSearch::DirectionInto(const Polyline& path) const {
+  const double before = std::max(0.0, Length(path) - kLastMetres);
+  return LastDirection(Shorten(SplitAt(path, before).after));
 }
 
 std::optional<Turn> LegSearch::FindTurn(const Pose2D& pose,

@@ -73,13 +73,12 @@ std::optional<Manoeuvre> ManoeuvreFinder::DriveWithStop(
   for (const double place : PlacesAround(blocked, kStopReach, length)) {
     if (search_.IsExhausted()) return std::nullopt;
     const SplitLine parts = SplitAt(path, place);
-    const Polyline onward = search_.Shorten(parts.after);
-    const Polyline before = search_.Shorten(parts.before);
     // A cheap look before the fit: the turn between the lines' directions.
-    const Pose2D stop(onward.front(), LastDirection(before));
-    if (!search_.FindTurn(stop, FirstDirection(onward))) continue;
+    const Pose2D stop(parts.after.front(), search_.DirectionInto(parts.before));
+    if (!search_.FindTurn(stop, search_.DirectionFrom(parts.after))) continue;
 
     Polyline line = departure.lead;
+    const Polyline before = search_.Shorten(parts.before);
     line.insert(line.end(), before.begin(), before.end());
     const std::optional<Leg> leg =
         search_.FitLeg(line, start, EndAlong(line), false);
@@ -97,7 +96,7 @@ std::optional<Manoeuvre> ManoeuvreFinder::DriveWithStop(
 std::optional<Manoeuvre> ManoeuvreFinder::TurnThenDrive(
     const Pose2D& pose, const Polyline& path,
     std::optional<double> end_heading) {
-  const double direction = FirstDirection(search_.Shorten(path));
+  const double direction = search_.DirectionFrom(path);
   Manoeuvre manoeuvre;
   if (std::abs(NormalizeAngle(direction - pose.theta)) > kAligned) {
     const std::optional<Turn> turn = search_.FindTurn(pose, direction);
@@ -122,8 +121,7 @@ std::optional<Manoeuvre> ManoeuvreFinder::BackOutThenDrive(
     const SplitLine parts = SplitAt(path, place);
     const Polyline line = search_.Shorten(parts.before);
     const Pose2D stop(parts.after.front(), LastDirection(line) + kPi);
-    if (!search_.FindTurn(stop, FirstDirection(search_.Shorten(parts.after))))
-      continue;
+    if (!search_.FindTurn(stop, search_.DirectionFrom(parts.after))) continue;
     const std::optional<Leg> leg =
         search_.FitLeg(line, start, EndAlong(line), true);
     if (!leg) return std::nullopt;
@@ -173,8 +171,8 @@ std::optional<Leg> ManoeuvreFinder::FitShift(const Pose2D& from,
   const Polyline line = Points(arc, from);
   const Pose2D place(line.back(), from.theta + arc.turn());
   if (!search_.check().IsFree(place)) return std::nullopt;
-  const Polyline onward = search_.Shorten(PathFrom(place.position(), path));
-  if (!search_.FindTurn(place, FirstDirection(onward))) return std::nullopt;
+  const double onward = search_.DirectionFrom(PathFrom(place.position(), path));
+  if (!search_.FindTurn(place, onward)) return std::nullopt;
   const double tail = arc.reverse ? kPi : 0.0;
   return search_.FitLeg(line, {line.front(), from.theta + tail, arc.curvature},
                         {line.back(), place.theta + tail, arc.curvature},
@@ -187,8 +185,8 @@ std::optional<Manoeuvre> ManoeuvreFinder::Find(
   search_.Begin(kFindEffort + 5.0 * Length(path));
   if (departure.moving) return Drive(departure, path, end_heading);
   const Pose2D& pose = departure.pose;
-  const double off = std::abs(
-      NormalizeAngle(FirstDirection(search_.Shorten(path)) - pose.theta));
+  const double off =
+      std::abs(NormalizeAngle(search_.DirectionFrom(path) - pose.theta));
   std::optional<Manoeuvre> found;
   if (off <= parameters_.turn_threshold) {
     found = Drive(departure, path, end_heading);

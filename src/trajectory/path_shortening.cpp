@@ -19,6 +19,14 @@ class Shortener {
     for (const Eigen::Vector2d& point : path) {
       path_clearance_.push_back(clearance.At(point));
     }
+    first_tight_.assign(path.size(), path.size());
+    for (std::size_t i = path.size(); i-- > 0;) {
+      if (path_clearance_[i] < limits.needed) {
+        first_tight_[i] = i;
+      } else if (i + 1 < path.size()) {
+        first_tight_[i] = first_tight_[i + 1];
+      }
+    }
   }
 
   // The farthest point found that can be reached straight from `from`: the
@@ -44,9 +52,7 @@ class Shortener {
 
  private:
   bool IsStraight(std::size_t from, std::size_t to) const {
-    for (std::size_t i = from; i <= to; ++i) {
-      if (path_clearance_[i] < limits_.needed) return false;
-    }
+    if (first_tight_[from] <= to) return false;
     const Eigen::Vector2d way = path_[to] - path_[from];
     const double length = way.norm();
     const double resolution = clearance_.geometry().resolution;
@@ -60,7 +66,9 @@ class Shortener {
       const double kept =
           std::max(limits_.needed, kKept * std::min(beside, limits_.wanted));
       if (here < kept) return false;
-      at += std::max(0.5 * resolution, here - limits_.wanted);
+      // Ahead, what is there may shrink and what is kept may grow by a metre
+      // in a metre.
+      at += std::max(0.5 * resolution, 0.5 * (here - kept));
     }
     return true;
   }
@@ -69,6 +77,8 @@ class Shortener {
   const ClearanceMap& clearance_;
   ShorteningLimits limits_;
   std::vector<double> path_clearance_;
+  std::vector<std::size_t> first_tight_;  ///< from a point on, the first that
+                                          ///< lies nearer than needed.
 };
 
 }  // namespace
@@ -83,6 +93,14 @@ Polyline ShortenPath(const Polyline& path, const ClearanceMap& clearance,
     shortened.push_back(path[i]);
   }
   return shortened;
+}
+
+double FirstShortenedDirection(const Polyline& path,
+                               const ClearanceMap& clearance,
+                               const ShorteningLimits& limits) {
+  assert(path.size() >= 2);
+  const Shortener shortener(path, clearance, limits);
+  return FirstDirection({path.front(), path[shortener.FarthestFrom(0)]});
 }
 
 }  // namespace vfh_astar

@@ -8,6 +8,7 @@
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/trajectory/leg_fitter.h"
 #include "vfh_astar/trajectory/manoeuvre.h"
+#include "vfh_astar/trajectory/path_shortening.h"
 #include "vfh_astar/trajectory/polyline.h"
 #include "vfh_astar/trajectory/pose_check.h"
 #include "vfh_astar/trajectory/spline_curve.h"
@@ -44,6 +45,11 @@ class LegSearch {
   /// See ShortenPath.
   Polyline Shorten(const Polyline& path) const;
 
+  /// rad, in which a shortened path leaves its first point, and about in which
+  /// it comes to its last one.
+  double DirectionFrom(const Polyline& path) const;
+  double DirectionInto(const Polyline& path) const;
+
   /// Begins a search that may fit curves of `effort` metres.
   void Begin(double effort) { effort_left_ = effort; }
   bool IsExhausted() const;
@@ -71,6 +77,7 @@ class LegSearch {
   static std::vector<LegEnd> EndsOf(const Polyline& line, const CurveEnd& start,
                                     const CurveEnd& end, bool reverse);
   bool IsHopeless(const LegEnd& end) const;
+  ShorteningLimits Limits() const;
   void NoteBlocked(const Eigen::Vector2d& place);
 
   const PoseCheck& check_;

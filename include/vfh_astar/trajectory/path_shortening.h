@@ -22,6 +22,12 @@ struct ShorteningLimits {
 Polyline ShortenPath(const Polyline& path, const ClearanceMap& clearance,
                      const ShorteningLimits& limits);
 
+/// rad, of the first part of what ShortenPath returns, without the rest.
+/// @param[in] path at least two points.
+double FirstShortenedDirection(const Polyline& path,
+                               const ClearanceMap& clearance,
+                               const ShorteningLimits& limits);
+
 }  // namespace vfh_astar
 
 #endif  // VFH_ASTAR_TRAJECTORY_PATH_SHORTENING_H_
