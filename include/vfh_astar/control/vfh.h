@@ -14,18 +14,18 @@ struct VfhParameters {
   double sector_angle = 0.0872664626;  ///< rad per sector; rounded so that a
                                        ///< whole number fills the circle.
   double window = 2.0;                 ///< m, farther points do not count.
-  double robot_radius = 0.0;    ///< m by which obstacles are enlarged (VFH+);
+  double robot_radius = 0.25;   ///< m by which obstacles are enlarged (VFH+);
                                 ///< 0 is the paper's plain histogram.
   int smoothing = 2;            ///< sectors on each side in the moving average.
-  double threshold_low = 0.15;  ///< a sector opens below this density,
-  double threshold_high = 0.25;   ///< and closes above this one.
+  double threshold_low = 0.4;   ///< a sector opens below this density,
+  double threshold_high = 0.5;  ///< and closes above this one.
   double wide_valley = 0.785398;  ///< rad; in wider valleys the robot keeps
                                   ///< half of this from the border.
   double target_weight = 5.0;     ///< cost of turning away from the target,
   double heading_weight = 2.0;    ///< of turning away from straight ahead,
   double previous_weight = 2.0;   ///< of changing the choice.
-  double look_ahead = 1.0;        ///< m, L in w = 2 v sin(theta) / L.
-  double speed = 0.2;             ///< m/s; the paper drives at a constant one.
+  double look_ahead = 0.6;        ///< m, L in w = 2 v sin(theta) / L.
+  double speed = 0.6;             ///< m/s; the paper drives at a constant one.
   double slow_angle = 0.785398;   ///< rad off the chosen direction at which v
                                   ///< has fallen to 0; pi or more: constant.
   double low_pass = 0.5;          ///< b0 of the filter on w; a1 = 1 - b0.

@@ -13,7 +13,10 @@ VfhParameters Parameters() {
   VfhParameters parameters;
   parameters.sector_angle = kPi / 36;  // 72 sectors
   parameters.window = 2.0;
+  parameters.robot_radius = 0.0;
   parameters.smoothing = 0;
+  parameters.threshold_low = 0.15;
+  parameters.threshold_high = 0.25;
   parameters.speed = 0.5;
   parameters.look_ahead = 1.0;
   parameters.slow_angle = kPi;
