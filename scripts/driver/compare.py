@@ -85,6 +85,8 @@ def drive_all(options):
             context = multiprocessing.get_context("spawn")
             with context.Pool(1) as pool:
                 results[name] = pool.apply(drive_stack, (name, options))
+                pool.close()
+                pool.join()
         if isinstance(results[name], str):
             print(results[name], file=sys.stderr, flush=True)
     return results
