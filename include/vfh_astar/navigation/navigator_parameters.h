@@ -50,8 +50,7 @@ struct AvoidanceParameters {
   double enter_distance = 0.5;  ///< m, for the rule `distance`.
   double leave_distance = 0.7;  ///< m
   double min_time = 0.3;        ///< s that VFH keeps the robot at least.
-  double blocked_time =
-      0.1;  ///< s of avoiding after which a plan is asked for.
+  double blocked_time = 0.1;    ///< s of avoiding until a plan is asked for.
 
   void Read(ParameterReader& reader);
 };
