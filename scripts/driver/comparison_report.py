@@ -36,7 +36,7 @@ def _draw_paths(records, file):
     for color, (name, record) in zip(_COLORS, records.items()):
         picture.draw_driven(axes, record, color, name)
     picture.frame(axes, list(records.values()))
-    axes.legend(loc="best", fontsize=8)
+    picture.legend_below(axes)
     figure.savefig(file, dpi=120, bbox_inches="tight")
     plt.close(figure)
 

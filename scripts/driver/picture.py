@@ -80,6 +80,12 @@ def draw_map(axes, record):
     axes.set_ylabel("y [m]")
 
 
+def legend_below(axes):
+    """Where it hides nothing of the map."""
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=5,
+                fontsize=8)
+
+
 def draw(record, file, title):
     """Writes a PNG."""
     figure, axes = plt.subplots(figsize=(9, 9))
@@ -96,6 +102,6 @@ def draw(record, file, title):
             next_outline = pose.time + 1.0
     frame(axes, [record])
     axes.set_title(title)
-    axes.legend(loc="best", fontsize=8)
+    legend_below(axes)
     figure.savefig(file, dpi=120, bbox_inches="tight")
     plt.close(figure)
