@@ -2,8 +2,6 @@
 #include <std_msgs/Empty.h>
 #include <std_msgs/Header.h>
 #include <std_srvs/Empty.h>
-#include <vfh_astar/GoalConfig.h>
-#include <vfh_astar/SafetyConfig.h>
 
 #include <algorithm>
 #include <memory>
@@ -44,20 +42,6 @@ struct NavigatorNodeletParameters {
     reader.Flag("lockstep", lockstep);
   }
 };
-
-GoalConfig ToConfig(const GoalParameters& goal) {
-  GoalConfig config;
-  config.tolerance = goal.tolerance;
-  config.xy_goal_tolerance = goal.xy_goal_tolerance;
-  config.yaw_goal_tolerance = goal.yaw_goal_tolerance;
-  return config;
-}
-
-SafetyConfig ToConfig(const SafetyLimiterParameters& safety) {
-  SafetyConfig config;
-  config.margin = safety.margin;
-  return config;
-}
 
 }  // namespace
 
@@ -153,15 +137,13 @@ class NavigatorNodelet : public nodelet::Nodelet {
     goal_ = std::make_unique<Reconfiguration<GoalConfig>>(
         group("goal"), ToConfig(values.goal),
         [this, &values](const GoalConfig& config) {
-          values.goal.tolerance = config.tolerance;
-          values.goal.xy_goal_tolerance = config.xy_goal_tolerance;
-          values.goal.yaw_goal_tolerance = config.yaw_goal_tolerance;
+          Apply(config, values.goal);
           navigator_->SetParameters(values);
         });
     safety_ = std::make_unique<Reconfiguration<SafetyConfig>>(
         group("safety"), ToConfig(values.safety),
         [this, &values](const SafetyConfig& config) {
-          values.safety.margin = config.margin;
+          Apply(config, values.safety);
           navigator_->SetParameters(values);
         });
   }

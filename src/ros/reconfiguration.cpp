@@ -22,4 +22,28 @@ void Apply(const LimitsConfig& config, RobotLimits& limits) {
   limits.max_lateral_acceleration = config.max_lateral_acceleration;
 }
 
+GoalConfig ToConfig(const GoalParameters& goal) {
+  GoalConfig config;
+  config.tolerance = goal.tolerance;
+  config.xy_goal_tolerance = goal.xy_goal_tolerance;
+  config.yaw_goal_tolerance = goal.yaw_goal_tolerance;
+  return config;
+}
+
+void Apply(const GoalConfig& config, GoalParameters& goal) {
+  goal.tolerance = config.tolerance;
+  goal.xy_goal_tolerance = config.xy_goal_tolerance;
+  goal.yaw_goal_tolerance = config.yaw_goal_tolerance;
+}
+
+SafetyConfig ToConfig(const SafetyLimiterParameters& safety) {
+  SafetyConfig config;
+  config.margin = safety.margin;
+  return config;
+}
+
+void Apply(const SafetyConfig& config, SafetyLimiterParameters& safety) {
+  safety.margin = config.margin;
+}
+
 }  // namespace vfh_astar

@@ -3,12 +3,16 @@
 
 #include <dynamic_reconfigure/server.h>
 #include <ros/node_handle.h>
+#include <vfh_astar/GoalConfig.h>
 #include <vfh_astar/LimitsConfig.h>
+#include <vfh_astar/SafetyConfig.h>
 
 #include <boost/thread/recursive_mutex.hpp>
 #include <cstdint>
 #include <functional>
 
+#include "vfh_astar/control/safety_limiter.h"
+#include "vfh_astar/navigation/navigator_parameters.h"
 #include "vfh_astar/robot_limits.h"
 
 namespace vfh_astar {
@@ -36,10 +40,15 @@ class Reconfiguration {
   dynamic_reconfigure::Server<Config> server_;
 };
 
+/// The values that may change while driving, out of their structs,
 LimitsConfig ToConfig(const RobotLimits& limits);
+GoalConfig ToConfig(const GoalParameters& goal);
+SafetyConfig ToConfig(const SafetyLimiterParameters& safety);
 
-/// Takes over the limits that may change while driving.
+/// and back into them.
 void Apply(const LimitsConfig& config, RobotLimits& limits);
+void Apply(const GoalConfig& config, GoalParameters& goal);
+void Apply(const SafetyConfig& config, SafetyLimiterParameters& safety);
 
 }  // namespace vfh_astar
 
