@@ -1,14 +1,6 @@
 #include "benchmark/navigation_stack.h"
 
 namespace vfh_astar {
-namespace {
-
-/// m; clearance beyond this changes neither fit nor speed.
-double ClearanceReach(const TrajectoryFitterParameters& fitter) {
-  return fitter.clearance_fast + fitter.footprint.CircumscribedRadius();
-}
-
-}  // namespace
 
 StackParameters LoadStackParameters(const std::string& file) {
   StackParameters parameters;
@@ -28,7 +20,7 @@ NavigationStack::NavigationStack(const StackParameters& parameters,
       fitter_(parameters.fitter),
       navigator_(parameters.navigator),
       clearance_(parameters.navigator.occupied_threshold,
-                 ClearanceReach(parameters.fitter)),
+                 parameters.fitter.ClearanceReach()),
       map_from_odom_(map_from_odom) {
   const OccupancyGrid map = mapper_.Map();
   planner_.SetMap(map);

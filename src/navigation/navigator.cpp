@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <deque>
+#include <limits>
 #include <utility>
 
 #include "vfh_astar/navigation/arrival.h"
@@ -269,12 +270,20 @@ void Navigator::Impl::EndGoal(Outcome outcome, const std::string& message) {
 }
 
 std::string Navigator::Impl::SuccessMessage() const {
-  const double moved =
-      (driver_.follower().End().position() - goal_.pose.position()).norm();
-  if (moved <= parameters_.goal.xy_goal_tolerance) return "goal reached";
-  char text[96];
-  std::snprintf(text, sizeof(text),
-                "reached the nearest free place, %.2f m from the goal", moved);
+  const Pose2D end = driver_.follower().End();
+  const double moved = (end.position() - goal_.pose.position()).norm();
+  const double turned = NormalizeAngle(end.theta - goal_.pose.theta);
+  char text[128] = "goal reached";
+  if (moved > parameters_.goal.xy_goal_tolerance) {
+    std::snprintf(text, sizeof(text),
+                  "reached the nearest free place, %.2f m from the goal",
+                  moved);
+  } else if (std::abs(turned) > parameters_.goal.yaw_goal_tolerance) {
+    std::snprintf(text, sizeof(text),
+                  "goal reached, but there was no room to turn: the heading is "
+                  "%.2f rad off",
+                  turned);
+  }
   return text;
 }
 
@@ -363,11 +372,12 @@ void Navigator::Impl::DescribeTo(NavigatorStatus* status) const {
   status->reason = reason_;
   status->replans = std::max(0, replans_ - 1);
   if (HasGoal(status->state)) status->goal_id = goal_.id;
-  if (observation_.fault) return;
   status->pose = observation_.pose;
   status->speed = observation_.twist.v;
   status->clearance =
-      FootprintClearance(parameters_.footprint, observation_.obstacles);
+      observation_.fault
+          ? std::numeric_limits<double>::quiet_NaN()
+          : FootprintClearance(parameters_.footprint, observation_.obstacles);
   if (HasGoal(status->state)) {
     status->distance_to_goal =
         (goal_.pose.position() - observation_.pose.position()).norm();

@@ -14,10 +14,16 @@ std::string AgeMessage(const char* what, double age, double limit) {
   return text;
 }
 
+std::string WithDefect(std::string message, const std::string& defect) {
+  return defect.empty() ? message : message + "; " + defect;
+}
+
 std::optional<Fault> FindFault(const NavigatorInput& input,
                                const NavigatorParameters& parameters) {
   if (input.scan == nullptr) {
-    return Fault{Outcome::kNoScan, "no scan has been received"};
+    return Fault{
+        Outcome::kNoScan,
+        WithDefect("no usable scan has been received", input.scan_defect)};
   }
   if (!input.odometry_stamp) {
     return Fault{Outcome::kNoOdometry, "no odometry has been received"};
@@ -29,8 +35,10 @@ std::optional<Fault> FindFault(const NavigatorInput& input,
   const double scan_age = input.time - input.scan->stamp;
   const double scan_timeout = parameters.safety.scan_timeout;
   if (scan_age > scan_timeout) {
-    return Fault{Outcome::kNoScan,
-                 AgeMessage("the latest scan", scan_age, scan_timeout)};
+    return Fault{
+        Outcome::kNoScan,
+        WithDefect(AgeMessage("the latest usable scan", scan_age, scan_timeout),
+                   input.scan_defect)};
   }
   const double odometry_age = input.time - *input.odometry_stamp;
   const double odometry_timeout = parameters.watchdog.odometry_timeout;
@@ -51,7 +59,7 @@ Observation Observe(const NavigatorInput& input,
   observation.map = input.map;
   observation.twist = input.twist;
   observation.fault = FindFault(input, parameters);
-  if (observation.fault) return observation;
+  if (!input.odometry_stamp || !input.map_from_odom) return observation;
 
   const auto odom_from_base_at = [&](double time) {
     return Integrate(input.odom_from_base, input.twist,
@@ -59,6 +67,7 @@ Observation Observe(const NavigatorInput& input,
   };
   const Pose2D odom_from_now = odom_from_base_at(input.time);
   observation.pose = *input.map_from_odom * odom_from_now;
+  if (observation.fault) return observation;
   const Pose2D now_from_laser = odom_from_now.Inverse() *
                                 odom_from_base_at(input.scan->stamp) *
                                 input.base_from_laser;

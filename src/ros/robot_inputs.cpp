@@ -120,6 +120,7 @@ NavigatorInput RobotInputs::At(const ros::Time& time) const {
   input.twist = twist_;
   input.scan = scan_ ? &*scan_ : nullptr;
   input.base_from_laser = base_from_laser_;
+  input.scan_defect = scan_defect_;
   input.map = has_map_ ? &map_ : nullptr;
   return input;
 }

@@ -75,7 +75,9 @@ class BadScansTest(navigation_test_case.NavigationTestCase):
     def test_stops_without_scans_and_goes_on_with_them(self):
         client = self.ready_client()
         client.send((-2.0, 0.0, 0.0))
-        self.wait_simulated(lambda: self.observer.last_state.speed > 0.3, 20.0)
+        self.wait_simulated(
+            lambda: self.observer.last_state is not None
+            and self.observer.last_state.speed > 0.3, 20.0)
         self.robot.alter_scan = no_beams
         # Older than 0.25 s they are no ground to move on; then the robot brakes.
         self.wait_simulated(lambda: self.observer.last_state.speed < 0.01, 1.5)

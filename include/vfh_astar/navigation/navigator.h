@@ -23,7 +23,8 @@ struct NavigatorStatus {
   std::string goal_id;
   Eigen::Vector3d error = Eigen::Vector3d::Zero();  ///< e1, e2 (m), e3 (rad).
   double clearance = 0.0;  ///< m from the footprint to the nearest hit of the
-                           ///< scan; +inf when there is none.
+                           ///< scan; +inf when there is none, NaN without a
+                           ///< scan to go by.
   double speed = 0.0;      ///< m/s, measured.
   double distance_to_goal = 0.0;  ///< m, straight; 0 without goal.
   int replans = 0;                ///< since the goal came in.

@@ -26,6 +26,7 @@ struct NavigatorInput {
   const LaserScan* scan = nullptr;  ///< the newest, without defect; null before
                                     ///< the first.
   Pose2D base_from_laser;
+  std::string scan_defect;  ///< why newer scans could not be used, if any came.
 
   const ClearanceMap* map = nullptr;  ///< null before the first.
 };
@@ -39,8 +40,9 @@ struct Fault {
 /// The inputs brought to one time and one frame.
 struct Observation {
   double time = 0.0;           ///< s
-  std::optional<Fault> fault;  ///< when set, nothing below may be trusted.
-  Pose2D pose;                 ///< map frame, predicted to `time`.
+  std::optional<Fault> fault;  ///< when set, nothing below is fit to drive by.
+  Pose2D pose;                 ///< map frame, predicted to `time`; (0, 0, 0)
+                               ///< while odometry or transform are missing.
   Twist2D twist;               ///< measured.
   std::vector<Eigen::Vector2d> obstacles;  ///< hits of the scan in the robot's
                                            ///< frame at `time`, m.

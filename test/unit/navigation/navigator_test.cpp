@@ -187,8 +187,13 @@ TEST_F(NavigatorTest, PausesAndResumes) {
 TEST_F(NavigatorTest, StopsWhenTheScanIsOld) {
   Drive(Straight(0.0, 3.0, 4.0), 2.0);
   has_scan_ = false;
-  StepFor(0.3);
-  EXPECT_EQ(twist_.v, 0.0);
+  EXPECT_GT(Step().status.speed, 0.5);
+  StepFor(0.25);
+  twist_.v = 0.4;  // it rolls on
+  const NavigatorOutput output = Step();
+  EXPECT_EQ(output.status.speed, 0.4) << "what is measured, not what is wanted";
+  EXPECT_TRUE(std::isnan(output.status.clearance));
+  EXPECT_EQ(output.command->v, 0.0);
   has_scan_ = true;
   StepFor(0.2);
   EXPECT_GT(twist_.v, 0.1) << "goes on with new scans";

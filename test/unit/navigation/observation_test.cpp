@@ -79,7 +79,11 @@ TEST_F(ObservationTest, NamesWhatIsTooOld) {
   ASSERT_TRUE(old_scan.fault.has_value());
   EXPECT_EQ(old_scan.fault->outcome, Outcome::kNoScan);
   EXPECT_EQ(old_scan.fault->message,
-            "the latest scan is 0.26 s old; expected 0.25 s or less");
+            "the latest usable scan is 0.26 s old; expected 0.25 s or less");
+  input_.scan_defect = "the scan has no beams";
+  EXPECT_EQ(Observe(input_, parameters_).fault->message,
+            "the latest usable scan is 0.26 s old; expected 0.25 s or less; "
+            "the scan has no beams");
   scan_.stamp = 10.26;
   EXPECT_EQ(Observe(input_, parameters_).fault->outcome, Outcome::kNoOdometry);
 }
