@@ -280,8 +280,8 @@ std::string Navigator::Impl::SuccessMessage() const {
                   moved);
   } else if (std::abs(turned) > parameters_.goal.yaw_goal_tolerance) {
     std::snprintf(text, sizeof(text),
-                  "goal reached, but there was no room to turn: the heading is "
-                  "%.2f rad off",
+                  "goal reached, but the trajectory did not turn to its "
+                  "heading, which is %.2f rad off",
                   turned);
   }
   return text;
