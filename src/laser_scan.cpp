@@ -1,5 +1,6 @@
 #include "vfh_astar/laser_scan.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfh_astar {
@@ -19,6 +20,15 @@ std::optional<std::string> DescribeDefect(const LaserScan& scan) {
     return "the scan has range_min " + std::to_string(scan.range_min) +
            " and range_max " + std::to_string(scan.range_max) +
            "; expected 0 <= range_min < range_max";
+  }
+  const bool is_blind = std::none_of(
+      scan.ranges.begin(), scan.ranges.end(),
+      [&](float range) { return scan.IsHit(range) || scan.IsFree(range); });
+  if (is_blind) {
+    return "none of the scan's " + std::to_string(scan.ranges.size()) +
+           " ranges is usable; expected hits within range_min and range_max, "
+           "or "
+           "+inf";
   }
   return std::nullopt;
 }

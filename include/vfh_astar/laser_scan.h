@@ -35,8 +35,8 @@ struct LaserScan {
 };
 
 /// Says what makes a scan unusable (no beams, zero increment, limits that are
-/// not finite or out of order), or nothing when it can be used. Single ranges
-/// may hold anything.
+/// not finite or out of order, no single usable range: a laser that is blind
+/// must not pass for an empty room), or nothing when it can be used.
 std::optional<std::string> DescribeDefect(const LaserScan& scan);
 
 /// The hits of a scan as points.

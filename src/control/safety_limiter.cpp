@@ -9,6 +9,9 @@ namespace {
 /// m that no point of the footprint moves between two poses that are checked.
 constexpr double kSweepStep = 0.02;
 
+/// A sweep that would need more, of some hundred metres, is beyond any robot.
+constexpr double kMostSteps = 1e4;
+
 /// m by which a point within the margin may come nearer through rounding.
 constexpr double kTolerance = 1e-4;
 
@@ -56,7 +59,9 @@ bool SafetyLimiter::CanStop(
 
   const double travel =
       (std::abs(command.v) + std::abs(command.w) * circumscribed) * duration;
-  const int steps = static_cast<int>(std::ceil(travel / kSweepStep));
+  const double least_steps = std::ceil(travel / kSweepStep);
+  if (!(least_steps <= kMostSteps)) return false;
+  const int steps = static_cast<int>(least_steps);
   for (int step = 1; step <= steps; ++step) {
     const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
     const Pose2D robot_from_start = pose.Inverse();
@@ -86,6 +91,7 @@ Twist2D SafetyLimiter::ScaleDown(
 LimitedCommand SafetyLimiter::Limit(
     const Twist2D& command, const Twist2D& twist,
     const std::vector<Eigen::Vector2d>& obstacles) const {
+  if (!command.IsFinite() || !twist.IsFinite()) return {{0.0, 0.0}, true};
   if (!CanStop(twist, 0.0, obstacles)) return {{0.0, 0.0}, true};
   if (CanStop(command, parameters_.reaction_time, obstacles)) {
     return {command, false};

@@ -110,9 +110,12 @@ class Navigator::Impl {
 
   // Of the present goal.
   Goal goal_;
+  int goal_number_ = 0;
+  int followed_goal_number_ = 0;  ///< whose trajectory is being followed.
   int replans_ = 0;
   FailureRecord failure_;
 
+  double planning_since_ = 0.0;
   std::optional<double> fault_since_;
   std::optional<double> held_up_since_;
   StopBurst stop_;
@@ -131,6 +134,7 @@ void Navigator::Impl::TakeOrders() {
       EndGoal(Outcome::kCancelled, "replaced by a new goal");
     }
     goal_ = order.goal;
+    ++goal_number_;
     replans_ = 0;
     failure_.Clear();
     recovery_.ResetAttempts();
@@ -166,7 +170,8 @@ void Navigator::Impl::WatchFault() {
   }
   if (!fault_since_) fault_since_ = *time_;
   if (!HasGoal(machine_.state())) return;
-  reason_ = observation_.fault->message;
+  // A robot that is being held makes no progress, and that is nobody's fault.
+  watch_.ResetProgress();
   if (*time_ - *fault_since_ > parameters_.watchdog.fault_patience) {
     failure_.Note(observation_.fault->outcome, observation_.fault->message);
     Raise(Event::kFault, failure_.message());
@@ -193,6 +198,9 @@ void Navigator::Impl::WatchTrajectory() {
   const std::optional<Notice> notice =
       watch_.Update(machine_.state(), observation_, driver_.follower());
   if (!notice) return;
+  // The old goal's trajectory may end before the new goal's has come.
+  const bool is_old = followed_goal_number_ != goal_number_;
+  if (is_old && notice->event == Event::kArrived) return;
   if (notice->event == Event::kStuck) {
     failure_.Note(Outcome::kStuck, "the robot made no progress");
   }
@@ -230,15 +238,21 @@ void Navigator::Impl::Perform(Action action) {
     case Action::kRequestPlan:
       ++replans_;
       schedule_.Want(*time_, 0.0);
-      if (machine_.state() == State::kPlanning) ForgetTrajectory();
+      if (machine_.state() == State::kPlanning) {
+        ForgetTrajectory();
+        planning_since_ = *time_;
+      }
       break;
     case Action::kRetryPlan:
       schedule_.Want(*time_, kRetryDelay);
+      // Waiting for what may pass is no lack of progress.
+      watch_.ResetProgress();
       break;
     case Action::kFollow:
       driver_.follower().Follow(std::move(answer_), schedule_.join(),
                                 *time_ - schedule_.start_time());
       watch_.Reset();
+      followed_goal_number_ = goal_number_;
       break;
     case Action::kStop:
       schedule_.Clear();
@@ -342,7 +356,10 @@ bool Navigator::Impl::IsOnReference() const {
 std::optional<MotionRequest> Navigator::Impl::Request() {
   if (!schedule_.IsDue(*time_) || observation_.fault) return std::nullopt;
   const bool standing = IsStanding(observation_.twist, parameters_.goal);
-  if (machine_.state() == State::kPlanning && !standing) return std::nullopt;
+  // Odometry that never comes to rest must not keep the robot from its goal.
+  const bool settled =
+      standing || *time_ - planning_since_ > parameters_.goal.settle_time;
+  if (machine_.state() == State::kPlanning && !settled) return std::nullopt;
 
   MotionRequest request;
   std::optional<double> join;
@@ -369,7 +386,8 @@ std::optional<MotionRequest> Navigator::Impl::Request() {
 
 void Navigator::Impl::DescribeTo(NavigatorStatus* status) const {
   status->state = machine_.state();
-  status->reason = reason_;
+  const bool is_held = observation_.fault && HasGoal(status->state);
+  status->reason = is_held ? observation_.fault->message : reason_;
   status->replans = std::max(0, replans_ - 1);
   if (HasGoal(status->state)) status->goal_id = goal_.id;
   status->pose = observation_.pose;

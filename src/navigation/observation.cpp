@@ -42,6 +42,12 @@ std::optional<Fault> FindFault(const NavigatorInput& input,
   }
   const double odometry_age = input.time - *input.odometry_stamp;
   const double odometry_timeout = parameters.watchdog.odometry_timeout;
+  if (odometry_age < -odometry_timeout) {
+    return Fault{
+        Outcome::kNoOdometry,
+        AgeMessage("the latest odometry", odometry_age, odometry_timeout) +
+            "; its stamp lies in the future"};
+  }
   if (odometry_age > odometry_timeout) {
     return Fault{
         Outcome::kNoOdometry,

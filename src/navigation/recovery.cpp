@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kTrailSpacing = 0.05;  ///< m
 constexpr double kTrailLength = 3.0;    ///< m
+constexpr double kJump = 0.3;           ///< m
 constexpr double kLookBack = 0.2;       ///< m along the trail that is aimed at.
 constexpr double kTurnDone = 0.15;      ///< rad
 constexpr double kProgress = 1.0;       ///< m after which attempts count anew.
@@ -19,6 +20,11 @@ Recovery::Recovery(const RecoveryParameters& parameters,
     : parameters_(parameters), footprint_(footprint) {}
 
 void Recovery::Record(const Pose2D& pose) {
+  // Whatever carried the robot here, it cannot drive back along a jump.
+  if (!trail_.empty() &&
+      (trail_.back().position() - pose.position()).norm() > kJump) {
+    trail_.clear();
+  }
   if (!trail_.empty() &&
       (trail_.back().position() - pose.position()).norm() < kTrailSpacing) {
     return;

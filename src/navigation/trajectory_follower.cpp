@@ -1,6 +1,7 @@
 #include "vfh_astar/navigation/trajectory_follower.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vfh_astar {
@@ -19,33 +20,37 @@ void TrajectoryFollower::Follow(Trajectory next, std::optional<double> join,
 }
 
 void TrajectoryFollower::TakeOver() {
-  clock_ -= join_;
+  clock_ = std::max(0.0, clock_ - join_);
   trajectory_ = std::move(*next_);
   next_.reset();
 }
 
 void TrajectoryFollower::Advance(double duration, double rate) {
   clock_ += duration * rate;
-  if (next_ && clock_ >= join_) TakeOver();
+  if (next_ && (clock_ >= join_ || ended())) TakeOver();
 }
 
 void TrajectoryFollower::AdvanceToNearest(const Eigen::Vector2d& position,
                                           double horizon) {
   constexpr double kStep = 0.05;
   const double end = std::min(clock_ + horizon, trajectory_.duration());
-  double nearest = clock_;
-  double nearest_distance =
-      (trajectory_.Sample(clock_).pose.position() - position).norm();
-  for (double time = clock_ + kStep; time <= end; time += kStep) {
-    const double distance =
-        (trajectory_.Sample(time).pose.position() - position).norm();
-    if (distance < nearest_distance) {
+  if (end > clock_) {
+    const auto distance_at = [&](double time) {
+      return (trajectory_.Sample(time).pose.position() - position).norm();
+    };
+    double nearest_distance = distance_at(clock_);
+    const int steps = static_cast<int>(std::ceil((end - clock_) / kStep));
+    const double start = clock_;
+    for (int step = 1; step <= steps; ++step) {
+      // The last step is the end itself, so that a trajectory can be completed.
+      const double time = std::min(start + step * kStep, end);
+      const double distance = distance_at(time);
+      if (distance >= nearest_distance) continue;
       nearest_distance = distance;
-      nearest = time;
+      clock_ = time;
     }
   }
-  clock_ = nearest;
-  if (next_ && clock_ >= join_) TakeOver();
+  if (next_ && (clock_ >= join_ || ended())) TakeOver();
 }
 
 void TrajectoryFollower::Clear() { *this = TrajectoryFollower(); }

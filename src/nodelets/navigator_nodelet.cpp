@@ -119,7 +119,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
     });
     timer_ = node.createTimer(period_, [this](const ros::TimerEvent&) {
       // Scans that keep away must not keep the watchdogs from running.
-      if (ros::Time::now() - last_cycle_ >= period_ || IsTimeReset()) Cycle();
+      if (ros::Time::now() - last_now_ >= period_ || IsTimeReset()) Cycle();
     });
   }
 
@@ -215,6 +215,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
   /// come again.
   void BeginAnew() {
     NODELET_WARN("time went back: navigation begins anew");
+    if (is_moving_) command_publisher_.publish(geometry_msgs::Twist());
     inputs_->ForgetAfter(std::min(ros::Time::now(), inputs_->scan_stamp()) +
                          kClockTolerance);
     goals_->Abort("time went back");

@@ -12,7 +12,11 @@ namespace {
 
 constexpr double kGravity = 9.81;          ///< m/s^2
 constexpr double kChassisHeight = 0.0325;  ///< m of its middle above the axles.
-constexpr double kBumperFriction = 0.3;
+
+/// N with which a touched obstacle holds the chassis back along its face. A
+/// constant: ODE's solver complains of friction that depends on the pressure
+/// when the pressure is nothing.
+constexpr double kBumperFriction = 50.0;
 
 /// m/s of slip below which a tyre's force has no direction to speak of.
 constexpr double kNoSlip = 1e-6;
@@ -199,7 +203,7 @@ void Jackal::Touch(const ContactPoint& touched, Jackal* other) {
   contact.geom.normal[0] = touched.normal.x();
   contact.geom.normal[1] = touched.normal.y();
   contact.geom.depth = touched.depth;
-  contact.surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
+  contact.surface.mode = dContactSoftERP | dContactSoftCFM;
   contact.surface.mu = kBumperFriction;
   contact.surface.soft_erp = 0.2;
   contact.surface.soft_cfm = 1e-5;

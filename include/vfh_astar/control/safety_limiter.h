@@ -42,7 +42,8 @@ class SafetyLimiter {
 
   /// @param[in] command wanted.
   /// @param[in] twist measured. When braking from it at once would not do, the
-  ///   answer is to stop, whatever was wanted.
+  ///   answer is to stop, whatever was wanted; so it is when either is not
+  ///   finite.
   /// @param[in] obstacles points in the robot's frame now, m.
   LimitedCommand Limit(const Twist2D& command, const Twist2D& twist,
                        const std::vector<Eigen::Vector2d>& obstacles) const;

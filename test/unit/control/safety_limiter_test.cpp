@@ -83,6 +83,20 @@ TEST(SafetyLimiterTest, LetsTheRobotLeaveAnObstacleWithinTheMargin) {
   EXPECT_EQ(limiter.Limit({0.3, 0.0}, {0.0, 0.0}, near).command.v, 0.0);
 }
 
+TEST(SafetyLimiterTest, StopsOnWhatIsNoNumber) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const double nan = std::nan("");
+  for (const Twist2D& command : {Twist2D{1.0, nan}, {nan, 0.0}}) {
+    const LimitedCommand result = limiter.Limit(command, {}, {{0.5, 0.0}});
+    EXPECT_TRUE(result.limited);
+    EXPECT_EQ(result.command.v, 0.0);
+    EXPECT_EQ(result.command.w, 0.0);
+  }
+  EXPECT_EQ(limiter.Limit({0.1, 0.0}, {nan, 0.0}, {}).command.v, 0.0);
+  EXPECT_EQ(limiter.Limit({0.1, 0.0}, {1e300, 0.0}, {{9.0, 0.0}}).command.v,
+            0.0);
+}
+
 /// The least distance when the robot does what the limiter assumes at worst:
 /// holds the command for the reaction time, then brakes along its arc.
 double LeastDistance(const Twist2D& command, const Points& points,

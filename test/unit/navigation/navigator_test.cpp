@@ -157,6 +157,34 @@ TEST_F(NavigatorTest, ANewGoalEndsTheOldOneWithoutAStop) {
   EXPECT_GT(output.request->start.twist.v, 0.5) << "joins at speed";
 }
 
+TEST_F(NavigatorTest, TheEndOfTheOldTrajectoryIsNoArrivalAtTheNewGoal) {
+  Drive(Straight(0.0, 3.0, 4.0), 2.0);
+  navigator_.SetGoal("b", {-20.0, 5.0, 0.0});
+  Step();  // ends "a"
+  failure_ = Outcome::kNoPath;
+  const GoalResult result = StepUntilResult(20.0);
+  EXPECT_EQ(result.goal_id, "b");
+  EXPECT_EQ(result.outcome, Outcome::kNoPath);
+}
+
+TEST_F(NavigatorTest, PlansAlthoughOdometryNeverComesToRest) {
+  navigator_.SetGoal("a", {3.0, 0.0, 0.0});
+  bool asked = false;
+  for (double t = 0.0; t < 3.0 && !asked; t += kPeriod) {
+    twist_ = {0.0, 0.08};  // a gyro's bias
+    asked = Step().request.has_value();
+  }
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(NavigatorTest, AGapInTheScansIsNoLackOfProgress) {
+  Drive(Straight(0.0, 3.0, 4.0), 2.0);
+  has_scan_ = false;
+  StepFor(2.5);
+  has_scan_ = true;
+  EXPECT_NE(Step().status.state, State::kRecovering);
+}
+
 TEST_F(NavigatorTest, NothingMovesAfterCancel) {
   Drive(Straight(0.0, 3.0, 4.0), 2.0);
   ASSERT_GT(twist_.v, 0.5);
@@ -248,6 +276,7 @@ TEST_F(NavigatorTest, NeverTouchesWhatStandsInTheWay) {
       ASSERT_GT(footprint.SignedDistance(pose_.Inverse() * point), 0.0);
     }
   }
+  EXPECT_GT(pose_.x, 0.8) << "it did drive up to it";
 }
 
 TEST_F(NavigatorTest, AsksForAReplanWhenTheTrajectoryIsBlocked) {

@@ -88,6 +88,13 @@ TEST_F(ObservationTest, NamesWhatIsTooOld) {
   EXPECT_EQ(Observe(input_, parameters_).fault->outcome, Outcome::kNoOdometry);
 }
 
+TEST_F(ObservationTest, RefusesOdometryFromTheFuture) {
+  input_.odometry_stamp = 40.0;
+  const Observation observation = Observe(input_, parameters_);
+  ASSERT_TRUE(observation.fault.has_value());
+  EXPECT_EQ(observation.fault->outcome, Outcome::kNoOdometry);
+}
+
 TEST(FootprintClearanceTest, ByHand) {
   const Footprint footprint{0.5, 0.3, 0.2};
   EXPECT_EQ(FootprintClearance(footprint, {}),

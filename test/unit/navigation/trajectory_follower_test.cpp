@@ -73,5 +73,21 @@ TEST(TrajectoryFollowerTest, TheNearestPointIsNeverBehind) {
   EXPECT_LE(follower.clock(), clock + 0.5 + 1e-9) << "within the horizon";
 }
 
+TEST(TrajectoryFollowerTest, TheNearestPointCanBeTheEnd) {
+  TrajectoryFollower follower;
+  follower.Follow(Steady(0.0, 4.02), std::nullopt, 0.0);
+  follower.AdvanceToNearest({9.0, 0.0}, 10.0);
+  EXPECT_TRUE(follower.ended());
+}
+
+TEST(TrajectoryFollowerTest, ATrajectoryThatJoinsBeyondTheEndTakesOverThere) {
+  TrajectoryFollower follower;
+  follower.Follow(Steady(0.0, 4.0), std::nullopt, 0.0);
+  follower.Follow(Steady(4.0, 2.0), 4.1, 0.0);
+  follower.AdvanceToNearest({9.0, 0.0}, 10.0);
+  EXPECT_FALSE(follower.pending());
+  EXPECT_DOUBLE_EQ(follower.At(0.0).pose.x, 4.0);
+}
+
 }  // namespace
 }  // namespace vfh_astar

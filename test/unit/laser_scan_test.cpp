@@ -1,0 +1,72 @@
+#include "vfh_astar/laser_scan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vfh_astar {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+LaserScan Usable() {
+  LaserScan scan;
+  scan.angle_min = -1.0;
+  scan.angle_increment = 0.5;
+  scan.range_min = 0.1;
+  scan.range_max = 5.0;
+  scan.ranges = {1.0f, kInfinity, -kInfinity, std::nanf(""), 2.0f};
+  return scan;
+}
+
+TEST(LaserScanTest, ReadsRangesByRep117) {
+  const LaserScan scan = Usable();
+  EXPECT_TRUE(scan.IsHit(0.1f + 1e-6f));
+  EXPECT_TRUE(scan.IsHit(5.0f));
+  EXPECT_FALSE(scan.IsHit(0.05f));
+  EXPECT_FALSE(scan.IsHit(5.1f));
+  EXPECT_FALSE(scan.IsHit(std::nanf("")));
+  EXPECT_FALSE(scan.IsHit(-kInfinity));
+  EXPECT_TRUE(scan.IsFree(kInfinity));
+  EXPECT_FALSE(scan.IsFree(std::nanf("")));
+  EXPECT_FALSE(scan.IsFree(-kInfinity));
+}
+
+TEST(LaserScanTest, HitsBecomePointsWhereTheyAre) {
+  LaserScan scan = Usable();
+  scan.angle_min = 0.0;
+  scan.angle_increment = 0.5 * kPi;
+  scan.ranges = {1.0f, 2.0f, kInfinity, 4.0f};
+  const auto points = HitPoints(scan, Pose2D(10.0, 0.0, 0.5 * kPi), 3.0);
+  ASSERT_EQ(points.size(), 2u) << "4 m is farther than wanted";
+  EXPECT_NEAR(points[0].x(), 10.0, 1e-6);
+  EXPECT_NEAR(points[0].y(), 1.0, 1e-6);
+  EXPECT_NEAR(points[1].x(), 8.0, 1e-6);
+  EXPECT_NEAR(points[1].y(), 0.0, 1e-6);
+}
+
+TEST(DescribeDefectTest, NamesEachDefect) {
+  EXPECT_FALSE(DescribeDefect(Usable()).has_value());
+  LaserScan scan = Usable();
+  scan.ranges.clear();
+  EXPECT_NE(DescribeDefect(scan)->find("no beams"), std::string::npos);
+  scan = Usable();
+  scan.angle_increment = 0.0;
+  EXPECT_NE(DescribeDefect(scan)->find("angle_increment"), std::string::npos);
+  scan = Usable();
+  scan.range_max = 0.05;
+  EXPECT_NE(DescribeDefect(scan)->find("range_max"), std::string::npos);
+}
+
+TEST(DescribeDefectTest, ABlindLaserIsNoEmptyRoom) {
+  LaserScan scan = Usable();
+  scan.ranges = {std::nanf(""), -kInfinity, 0.0f};
+  ASSERT_TRUE(DescribeDefect(scan).has_value());
+  EXPECT_NE(DescribeDefect(scan)->find("3 ranges"), std::string::npos);
+  scan.ranges.push_back(kInfinity);
+  EXPECT_FALSE(DescribeDefect(scan).has_value());
+}
+
+}  // namespace
+}  // namespace vfh_astar
