@@ -10,6 +10,10 @@
 namespace vfh_astar {
 namespace {
 
+/// m between two neighbouring hits; farther apart they say nothing of what is
+/// between them.
+constexpr double kWidestGap = 2.0;
+
 constexpr int kTile = LogOddsGrid::kTileSize;
 static_assert(kTile == 64, "a row of a tile is one word of bits");
 
@@ -60,6 +64,19 @@ void ExpandBits(std::uint64_t bits, std::uint8_t* bytes) {
 
 }  // namespace
 
+bool IsOneSurface(const Eigen::Vector2d* before, const Eigen::Vector2d& from,
+                  const Eigen::Vector2d& to, const Eigen::Vector2d* after) {
+  constexpr double kStraight = 0.95;  // cosine of the turn between two gaps
+  const Eigen::Vector2d gap = to - from;
+  const auto goes_on = [&gap](const Eigen::Vector2d& other) {
+    // A gap much shorter than this one has no direction to speak of.
+    return 4.0 * other.norm() >= gap.norm() &&
+           gap.dot(other) > kStraight * gap.norm() * other.norm();
+  };
+  return (before != nullptr && goes_on(from - *before)) ||
+         (after != nullptr && goes_on(*after - to));
+}
+
 void ScanInserterParameters::Read(ParameterReader& reader) {
   reader.Number("max_urange", max_urange, 0.1, 200.0);
   reader.Number("max_range", max_range, 0.1, 1000.0);
@@ -97,6 +114,7 @@ cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
   }
   MarkBeams(ToCellUnits(grid.geometry(), laser_pose.position()) - corner,
             scan.angle_increment, grid.geometry().resolution);
+  SpareSurfaces(grid.geometry().resolution);
 
   cv::Rect changed;
   for (int row = tiles_.y; row < tiles_.br().y; ++row) {
@@ -177,6 +195,29 @@ void ScanInserter::MarkBeams(const Eigen::Vector2d& laser, double increment,
     const auto x = static_cast<unsigned>(beam.end.x());
     const auto y = static_cast<unsigned>(beam.end.y());
     ended_[y * stride + x / 64] |= std::uint64_t{1} << x % 64;
+  }
+}
+
+void ScanInserter::SpareSurfaces(double resolution) {
+  const std::size_t stride = tiles_.width;
+  const double widest = kWidestGap / resolution;
+  const auto hit_at = [this](std::size_t i) {
+    return i < beams_.size() && beams_[i].is_hit ? &beams_[i].end : nullptr;
+  };
+  for (std::size_t i = 0; i + 1 < beams_.size(); ++i) {
+    if (!beams_[i].is_hit || !beams_[i + 1].is_hit) continue;
+    const Eigen::Vector2d& from = beams_[i].end;
+    const Eigen::Vector2d& to = beams_[i + 1].end;
+    const double gap = (to - from).norm();
+    if (gap < 1.0 || gap > widest) continue;
+    // Before the first beam comes none: size_t wraps beyond all.
+    if (!IsOneSurface(hit_at(i - 1), from, to, hit_at(i + 2))) continue;
+    TraverseRows(from, to, [&](int y, int first, int last) {
+      for (int x = std::min(first, last); x <= std::max(first, last); ++x) {
+        passed_[y * stride + x / 64] &= ~(std::uint64_t{1} << x % 64);
+      }
+      return true;
+    });
   }
 }
 

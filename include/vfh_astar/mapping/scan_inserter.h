@@ -28,6 +28,14 @@ struct ScanInserterParameters {
   void Read(ParameterReader& reader);
 };
 
+/// True when the gap between the hits `from` and `to` of two neighbouring beams
+/// goes straight on from the gap before it or into the one after it: then they
+/// lie on one surface. An edge in front of a wall makes no such line.
+/// @param[in] before, after the next hits to both sides; null where the beam
+///   next to them hit nothing.
+bool IsOneSurface(const Eigen::Vector2d* before, const Eigen::Vector2d& from,
+                  const Eigen::Vector2d& to, const Eigen::Vector2d* after);
+
 /// Enters laser scans at known poses into a log-odds grid.
 ///
 /// A scan changes a cell once, however many beams meet in it: as a hit when a
@@ -35,6 +43,10 @@ struct ScanInserterParameters {
 /// max_urange is entered; hits up to max_range and beams that saw nothing
 /// (+inf) clear the way to max_urange; all else (NaN, -inf, too near, beyond
 /// max_range) does nothing.
+///
+/// The cells between two neighbouring hits on one surface (see IsOneSurface)
+/// are not missed: seen at a flat angle from afar, the hits on a wall lie cells
+/// apart, and the beams that graze it would wear it away in between.
 class ScanInserter {
  public:
   explicit ScanInserter(const ScanInserterParameters& parameters);
@@ -63,6 +75,8 @@ class ScanInserter {
                       double resolution) const;
   void MarkBeams(const Eigen::Vector2d& laser, double increment,
                  double resolution);
+  /// Takes back the misses between neighbouring hits on one surface.
+  void SpareSurfaces(double resolution);
   cv::Rect ApplyTile(int column, int row, LogOddsGrid& grid) const;
   bool UpdateRow(
       std::uint64_t misses, std::uint64_t hits, LogOdds* cells,

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "vfh_astar/grid/ray_traversal.h"
 
@@ -148,12 +150,53 @@ TEST(ScanInserter, LeavesOutWhatTheLargestGridCannotHold) {
   EXPECT_LE(grid.geometry().width, LogOddsGrid::kMaxSide);
 }
 
+TEST(IsOneSurface, AStraightLineOfHits) {
+  const Eigen::Vector2d a(0, 0), b(0.4, 0.1), c(0.9, 0.22), d(0.9, -2.0);
+  EXPECT_TRUE(IsOneSurface(&a, b, c, nullptr));
+  EXPECT_TRUE(IsOneSurface(nullptr, a, b, &c));
+  EXPECT_FALSE(IsOneSurface(nullptr, a, b, nullptr))
+      << "two points say nothing";
+  EXPECT_FALSE(IsOneSurface(&d, b, c, nullptr)) << "around a corner";
+  EXPECT_FALSE(IsOneSurface(&c, a, b, &a)) << "to and fro";
+}
+
+TEST(ScanInserter, AWallSeenAtAFlatAngleIsNotWornAway) {
+  // A wall along y = 0.3 from a laser at y = 0.05, 8 m of it.
+  LaserScan scan;
+  scan.angle_min = -0.3;
+  scan.angle_increment = 0.0044;
+  scan.range_min = 0.1;
+  scan.range_max = 30.0;
+  for (int i = 0; i < 140; ++i) {
+    const double angle = scan.Angle(i);
+    const double range = angle > 0.031 ? 0.24 / std::sin(angle) : 40.0;
+    scan.ranges.push_back(range < 8.0 ? static_cast<float>(range) : kInf);
+  }
+  GridGeometry geometry;
+  geometry.origin = {-5.0, -10.0};
+  geometry.width = 600;
+  geometry.height = 400;
+  LogOddsGrid grid(geometry);
+  const int row = geometry.ToCell({0.0, 0.275}).y;
+  const int from = geometry.ToCell({1.0, 0.0}).x;
+  const int to = geometry.ToCell({5.0, 0.0}).x;
+  // What was seen from close by.
+  for (int x = from; x <= to; ++x) grid.Set({x, row}, FromOccupancy(88));
+  ScanInserter inserter({});
+  for (int i = 0; i < 30; ++i) inserter.Insert(scan, {0.05, 0.05, 0.0}, grid);
+  ASSERT_EQ(grid.geometry(), geometry);
+  for (int x = from; x <= to; ++x) {
+    EXPECT_GT(grid.Probability({x, row}), 0.65) << x;
+  }
+}
+
 /// Beam by beam and cell by cell, straight from the description.
 void InsertSlowly(const ScanInserterParameters& parameters,
                   const LaserScan& scan, const Pose2D& pose,
                   LogOddsGrid& grid) {
   std::set<std::pair<int, int>> hits;
   std::set<std::pair<int, int>> misses;
+  std::vector<std::optional<Eigen::Vector2d>> ends(scan.ranges.size());
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const float range = scan.ranges[i];
     const bool is_free = range > scan.range_max;
@@ -173,7 +216,23 @@ void InsertSlowly(const ScanInserterParameters& parameters,
     if (is_hit && range <= parameters.max_urange) {
       const Cell cell = grid.geometry().ToCell(end);
       hits.emplace(cell.x, cell.y);
+      ends[i] = end;
     }
+  }
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    if (!ends[i] || !ends[i + 1]) continue;
+    const double gap = (*ends[i + 1] - *ends[i]).norm();
+    if (gap < grid.geometry().resolution || gap > 2.0) continue;
+    const auto* before = i > 0 && ends[i - 1] ? &*ends[i - 1] : nullptr;
+    const auto* after =
+        i + 2 < ends.size() && ends[i + 2] ? &*ends[i + 2] : nullptr;
+    if (!IsOneSurface(before, *ends[i], *ends[i + 1], after)) continue;
+    TraverseCells(ToCellUnits(grid.geometry(), *ends[i]),
+                  ToCellUnits(grid.geometry(), *ends[i + 1]),
+                  [&](const Cell& cell) {
+                    misses.erase({cell.x, cell.y});
+                    return true;
+                  });
   }
   const auto change = [&grid, &parameters](const Cell& cell, double by) {
     const LogOdds value = grid[cell];
