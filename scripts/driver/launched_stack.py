@@ -15,6 +15,8 @@ import uuid
 # sessions of their own.
 RUN_VARIABLE = "VFH_ASTAR_RUN"
 _PR_SET_PDEATHSIG = 1
+_ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+_FATAL = re.compile(r"\[FATAL\] \[[^\]]*\]: (.*)")
 _TERMINAL_COLOR = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -85,8 +87,16 @@ class LaunchedStack:
         status = self._process.poll()
         if status is not None:
             raise LaunchError(
-                "roslaunch ended with status {}; the end of {}:\n{}".format(
+                self.fatal_errors()
+                or "roslaunch ended with status {}; the end of {}:\n{}".format(
                     status, self._log_file, self.log_tail()))
+
+    def fatal_errors(self):
+        """What nodes said as they gave up, a line each; empty if they did not."""
+        with open(self._log_file, errors="replace") as log:
+            lines = _TERMINAL_COLOR.sub("", log.read()).splitlines()
+        return "\n".join(_FATAL.match(line).group(1) for line in lines
+                         if _FATAL.match(line))
 
     def log_tail(self, lines=25):
         with open(self._log_file, errors="replace") as log:
@@ -94,9 +104,21 @@ class LaunchedStack:
         return _TERMINAL_COLOR.sub("", text)
 
     def stop(self):
-        """Asks roslaunch to end, then ends what is left, more and more firmly."""
+        """Asks roslaunch to end, then ends what is left, more and more firmly.
+
+        An impatient second Ctrl-C does not keep this from its end.
+        """
         if self._process is None:
             return
+        handlers = {number: signal.signal(number, signal.SIG_IGN)
+                    for number in _ENDING_SIGNALS}
+        try:
+            self._end_all()
+        finally:
+            for number, handler in handlers.items():
+                signal.signal(number, handler)
+
+    def _end_all(self):
         if self._process.poll() is None:
             self._process.send_signal(signal.SIGINT)
             try:

@@ -1,5 +1,7 @@
 """The scene of a drive as the command line gives it: world, start and goal."""
 
+import argparse
+import math
 import os
 
 from driver import poses, world_file
@@ -11,6 +13,14 @@ OUTPUT = os.path.join(ROOT, ".workspace")
 
 class SceneError(Exception):
     """The scene is not complete or a file is not there."""
+
+
+def _seconds(text):
+    seconds = float(text)
+    if not 0.0 < seconds < math.inf:
+        raise argparse.ArgumentTypeError(
+            "{!r} is no finite time above 0 s".format(text))
+    return seconds
 
 
 def add_arguments(parser):
@@ -28,7 +38,7 @@ def add_arguments(parser):
                         help="the navigation's parameters (config/jackal.yaml)")
     parser.add_argument("--seed", type=int, default=1,
                         help="of the simulator's noise (1)")
-    parser.add_argument("--time-limit", type=float, default=300.0, metavar="S",
+    parser.add_argument("--time-limit", type=_seconds, default=300.0, metavar="S",
                         help="simulated seconds (300)")
     parser.add_argument("--json", metavar="FILE",
                         help="write the figures to a file too")
@@ -47,6 +57,10 @@ def complete(options, file_options=("world", "config")):
         if not os.path.isfile(file):
             raise SceneError("--{}: there is no file {}".format(name, file))
         setattr(options, name, os.path.abspath(file))
+    if options.json and not os.path.isdir(
+            os.path.dirname(os.path.abspath(options.json))):
+        raise SceneError("--json: there is no folder for {}".format(
+            options.json))
     own_start, own_goal = world_file.read_start_and_goal(options.world)
     options.start = options.start or own_start
     goal = options.goal or own_goal

@@ -60,6 +60,17 @@ class LaunchedStackTest(unittest.TestCase):
                                         "(?s)status 3.*no such world"):
                 stack.check_alive()
 
+    def test_tells_what_a_node_died_of_and_nothing_else(self):
+        self.replace_roslaunch(
+            "#!/bin/sh\necho started\n"
+            "printf '\\033[31m[FATAL] [12.5]: no such world\\033[0m\\n'\n"
+            "echo shutting down\n")
+        with LaunchedStack("x.launch", {}, self.log) as stack:
+            stack._process.wait()
+            with self.assertRaises(LaunchError) as caught:
+                stack.check_alive()
+        self.assertEqual(str(caught.exception), "no such world")
+
     def test_passes_arguments(self):
         self.replace_roslaunch("#!/bin/sh\necho \"$@\"\n")
         with LaunchedStack("x.launch", {"a": 1, "b": None, "c": ""},
