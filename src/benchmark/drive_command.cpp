@@ -5,10 +5,10 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "benchmark/drive.h"
+#include "benchmark/pose_option.h"
 
 namespace vfh_astar {
 namespace {
@@ -30,19 +30,6 @@ po::options_description Options() {
   return options;
 }
 
-Pose2D ParsePose(const std::string& option, const std::string& text) {
-  Pose2D pose;
-  char comma1 = 0;
-  char comma2 = 0;
-  std::istringstream stream(text);
-  stream >> pose.x >> comma1 >> pose.y >> comma2 >> pose.theta;
-  if (!stream || comma1 != ',' || comma2 != ',' || !stream.eof()) {
-    throw std::invalid_argument("--" + option + " is '" + text +
-                                "'; expected X,Y,YAW");
-  }
-  return pose;
-}
-
 /// The map has to hold start and goal, with room for ways around; a goal beyond
 /// it is refused.
 void MakeRoom(const Pose2D& pose, GridMapperParameters* mapper) {
@@ -58,10 +45,10 @@ DriveTask TaskFrom(const po::variables_map& options) {
   task.world = LoadWorld(options["world"].as<std::string>());
   if (options.count("start") != 0) {
     task.world.robots.front().pose =
-        ParsePose("start", options["start"].as<std::string>());
+        ParsePoseOption("start", options["start"].as<std::string>());
   }
   if (options.count("goal") != 0) {
-    task.goal = ParsePose("goal", options["goal"].as<std::string>());
+    task.goal = ParsePoseOption("goal", options["goal"].as<std::string>());
   } else if (task.world.goal) {
     task.goal = *task.world.goal;
   } else {

@@ -7,12 +7,14 @@
 
 #include "benchmark/drive_command.h"
 #include "benchmark/planner_command.h"
+#include "benchmark/simulator_command.h"
 
 int main(int argc, char** argv) {
   using Command = std::function<int(const std::vector<std::string>&)>;
   const std::map<std::string, Command> commands = {
       {"drive", vfh_astar::RunDriveCommand},
       {"planner", vfh_astar::RunPlannerCommand},
+      {"simulator", vfh_astar::RunSimulatorCommand},
   };
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const auto command =

@@ -178,9 +178,9 @@ std::vector<Shape> MakePolygon(std::vector<Vector2d> outline) {
     if (ear == n) {
       // Only corners without area are left where no ear is found.
       ear = 0;
-      while (ear < n && std::abs(Cross(outline[ear] - outline[(ear + n - 1) % n],
-                                       outline[(ear + 1) % n] -
-                                           outline[ear])) > 1e-12) {
+      while (ear < n &&
+             std::abs(Cross(outline[ear] - outline[(ear + n - 1) % n],
+                            outline[(ear + 1) % n] - outline[ear])) > 1e-12) {
         ++ear;
       }
       if (ear == n) return {};

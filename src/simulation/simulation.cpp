@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vfh_astar/simulation/jackal.h"
+#include "vfh_astar/simulation/lidar.h"
 #include "vfh_astar/simulation/solids.h"
 
 namespace vfh_astar {
@@ -14,37 +15,12 @@ namespace {
 
 constexpr double kClearanceReach = 5.0;  ///< m
 
-/// The directions of a laser's beams in its own frame.
-std::vector<Eigen::Vector2d> BeamDirections(const LaserModel& laser) {
-  std::vector<Eigen::Vector2d> directions;
-  const double increment =
-      (laser.angle_max - laser.angle_min) / (laser.beams - 1);
-  for (int beam = 0; beam < laser.beams; ++beam) {
-    const double angle = laser.angle_min + beam * increment;
-    directions.emplace_back(std::cos(angle), std::sin(angle));
-  }
-  return directions;
-}
-
-LaserScan EmptyScan(const LaserModel& laser) {
-  LaserScan scan;
-  scan.angle_min = laser.angle_min;
-  scan.angle_increment =
-      (laser.angle_max - laser.angle_min) / (laser.beams - 1);
-  scan.range_min = laser.range_min;
-  scan.range_max = laser.range_max;
-  scan.ranges.resize(laser.beams);
-  return scan;
-}
-
 }  // namespace
 
 class Simulation::Impl {
  public:
   Impl(const World& world, const SimulationParameters& parameters)
-      : world_(world),
-        parameters_(parameters),
-        beams_(BeamDirections(parameters.laser)) {
+      : world_(world), parameters_(parameters) {
     Reset(parameters.seed);
   }
 
@@ -54,12 +30,12 @@ class Simulation::Impl {
         : name(start.name),
           body(physics, model, start.pose),
           sensors(parameters.noise, model),
-          scan(EmptyScan(parameters.laser)) {}
+          lidar(parameters.laser, parameters.noise) {}
 
     std::string name;
     Jackal body;
     RobotSensors sensors;
-    LaserScan scan;
+    Lidar lidar;
     Twist2D command;
     double command_time = 0.0;
     std::optional<Collision> collision;
@@ -91,7 +67,6 @@ class Simulation::Impl {
   void TakeScan(std::size_t index, const std::vector<Shape>& outlines);
   bool IsFree(const Shape& outline, std::size_t except) const;
 
-  std::vector<Eigen::Vector2d> beams_;
   std::unique_ptr<Solids> solids_;
   std::mt19937 random_;
   std::int64_t steps_ = 0;
@@ -149,35 +124,16 @@ void Simulation::Impl::Collide(std::size_t index,
 
 void Simulation::Impl::TakeScan(std::size_t index,
                                 const std::vector<Shape>& outlines) {
-  Robot& robot = robots_[index];
-  const LaserModel& laser = parameters_.laser;
-  const Pose2D pose = robot.body.pose() * laser.mount;
-  const Eigen::Vector2d heading = pose.heading();
-  const double sigma = std::hypot(laser.sigma, parameters_.noise.range_sigma);
-  std::normal_distribution<double> error(0.0, sigma > 0.0 ? sigma : 1.0);
-  std::uniform_real_distribution<double> chance(0.0, 1.0);
-  robot.scan.stamp = time();
-  for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
-    const Eigen::Vector2d& b = beams_[beam];
-    const Eigen::Vector2d direction(heading.x() * b.x() - heading.y() * b.y(),
-                                    heading.y() * b.x() + heading.x() * b.y());
-    double range =
-        solids_->CastRay(pose.position(), direction, laser.range_max);
-    for (std::size_t other = 0; other < outlines.size(); ++other) {
-      if (other == index) continue;
-      range = std::min(
-          range, RayDistance(outlines[other], pose.position(), direction));
-    }
-    if (sigma > 0.0 && std::isfinite(range)) range += error(random_);
-    const bool lost = parameters_.noise.dropout > 0.0 &&
-                      chance(random_) < parameters_.noise.dropout;
-    if (lost || range > laser.range_max) {
-      range = std::numeric_limits<double>::infinity();
-    } else if (range < laser.range_min) {
-      range = -std::numeric_limits<double>::infinity();
-    }
-    robot.scan.ranges[beam] = static_cast<float>(range);
+  std::vector<const Shape*> moving;
+  for (const NamedShape& solid : solids_->moving()) {
+    moving.push_back(&solid.shape);
   }
+  for (std::size_t other = 0; other < outlines.size(); ++other) {
+    if (other != index) moving.push_back(&outlines[other]);
+  }
+  Robot& robot = robots_[index];
+  robot.lidar.Sweep(time(), robot.body.pose(), solids_->statics(), moving,
+                    &random_);
 }
 
 StepEvents Simulation::Impl::Step() {
@@ -290,7 +246,7 @@ void Simulation::SetCommand(std::size_t robot, const Twist2D& command) {
 StepEvents Simulation::Step() { return impl_->Step(); }
 
 const LaserScan& Simulation::scan(std::size_t robot) const {
-  return impl_->robots_[robot].scan;
+  return impl_->robots_[robot].lidar.scan();
 }
 
 const OdometryReading& Simulation::wheel_odometry(std::size_t robot) const {

@@ -92,15 +92,6 @@ std::vector<NamedShape> Solids::Near(const Eigen::Vector2d& point,
   return near;
 }
 
-double Solids::CastRay(const Eigen::Vector2d& origin,
-                       const Eigen::Vector2d& direction, double range) const {
-  double nearest = statics_.CastRay(origin, direction, range);
-  for (const NamedShape& moving : moving_) {
-    nearest = std::min(nearest, RayDistance(moving.shape, origin, direction));
-  }
-  return nearest;
-}
-
 bool Solids::IsOccupied(const Shape& shape) const {
   const std::vector<NamedShape> near = Near(shape.center, shape.radius);
   return std::any_of(near.begin(), near.end(), [&](const NamedShape& solid) {

@@ -32,9 +32,10 @@ class Solids {
   std::vector<NamedShape> Near(const Eigen::Vector2d& point,
                                double radius) const;
 
-  /// m along a ray to the first shape; infinity beyond `range`.
-  double CastRay(const Eigen::Vector2d& origin,
-                 const Eigen::Vector2d& direction, double range) const;
+  /// What does not move.
+  const ShapeIndex& statics() const { return statics_; }
+  /// Movers, and pop-ups that have appeared.
+  const std::vector<NamedShape>& moving() const { return moving_; }
 
   /// True when something solid touches the shape.
   bool IsOccupied(const Shape& shape) const;
@@ -51,8 +52,8 @@ class Solids {
   World world_;
   ShapeIndex statics_;
   std::vector<int> static_owners_;  ///< by shape in statics_.
-  std::vector<NamedShape> moving_;  ///< movers, and pop-ups that are there.
-  std::vector<bool> appeared_;      ///< by pop-up.
+  std::vector<NamedShape> moving_;
+  std::vector<bool> appeared_;  ///< by pop-up.
 };
 
 }  // namespace vfh_astar
