@@ -34,8 +34,8 @@ void RobotSensors::ReadImu(double duration, const Jackal& robot,
   last_velocity_ = robot.velocity();
   const Eigen::Vector2d in_robot =
       Pose2D(0.0, 0.0, -robot.pose().theta) * acceleration;
-  imu_.yaw_rate =
-      robot.twist().w + noise_.gyro_bias + Gaussian(noise_.gyro_sigma, random);
+  imu_.yaw_rate = (1.0 + noise_.gyro_scale_error) * robot.twist().w +
+                  noise_.gyro_bias + Gaussian(noise_.gyro_sigma, random);
   imu_.yaw = NormalizeAngle(imu_.yaw + imu_.yaw_rate * duration);
   imu_.forward_acceleration =
       in_robot.x() + Gaussian(noise_.acceleration_sigma, random);

@@ -26,10 +26,11 @@ class Simulation::Impl {
 
   struct Robot {
     Robot(PhysicsWorld* physics, const JackalModel& model,
-          const RobotStart& start, const SimulationParameters& parameters)
+          const RobotStart& start, const SimulationParameters& parameters,
+          std::mt19937* random)
         : name(start.name),
           body(physics, model, start.pose),
-          sensors(parameters.noise, model),
+          sensors(DrawErrors(parameters.noise, random), model),
           lidar(parameters.laser, parameters.noise) {}
 
     std::string name;
@@ -79,11 +80,11 @@ void Simulation::Impl::Reset(std::uint32_t seed) {
   robots_.clear();
   physics_ = std::make_unique<PhysicsWorld>();
   solids_ = std::make_unique<Solids>(world_);
+  random_.seed(seed);
   robots_.reserve(world_.robots.size());
   for (const RobotStart& start : world_.robots) {
-    robots_.emplace_back(physics_.get(), model_, start, parameters_);
+    robots_.emplace_back(physics_.get(), model_, start, parameters_, &random_);
   }
-  random_.seed(seed);
   steps_ = 0;
   scans_ = 0;
   readings_ = 0;
@@ -207,16 +208,21 @@ bool Simulation::Impl::Delete(const std::string& name) {
 double Simulation::Impl::Clearance(std::size_t robot) const {
   const Shape outline = robots_[robot].body.Outline();
   double clearance = std::numeric_limits<double>::infinity();
-  for (const NamedShape& solid :
-       solids_->Near(outline.center, kClearanceReach)) {
-    clearance = std::min(clearance, Distance(outline, solid.shape));
+  // From near to far, as there is much in a large circle.
+  for (double reach = 0.5;; reach = std::min(2.0 * reach, kClearanceReach)) {
+    for (const NamedShape& solid :
+         solids_->Near(outline.center, outline.radius + reach)) {
+      clearance = std::min(clearance, Distance(outline, solid.shape));
+    }
+    if (clearance <= reach || reach == kClearanceReach) break;
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
     if (other == robot) continue;
     clearance =
         std::min(clearance, Distance(outline, robots_[other].body.Outline()));
   }
-  return clearance;
+  return clearance <= kClearanceReach ? clearance
+                                      : std::numeric_limits<double>::infinity();
 }
 
 Simulation::Simulation(const World& world,

@@ -93,6 +93,56 @@ TEST(ShapeIndexTest, RaysAgreeWithDenseSampling) {
   EXPECT_GT(hits, 50);
 }
 
+TEST(ShapeIndexTest, RaysAgreeWithEveryShapeAskedInTurn) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-30.0, 30.0);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  for (int scene = 0; scene < 20; ++scene) {
+    std::vector<Shape> shapes = RandomShapes(&random);
+    // Long walls, as they lie in many buckets at once.
+    shapes.push_back(MakeBox({0.0, 20.0, 0.01 * scene}, {50.0, 0.1}));
+    shapes.push_back(MakeBox({-20.0, 0.0, angle(random)}, {0.1, 30.0}));
+    const ShapeIndex index(shapes);
+    // Of no round number, and some of them along the axes.
+    std::vector<Eigen::Vector2d> directions = {{1, 0}, {-1, 0}, {0, 1}};
+    for (int ray = 0; ray < 60; ++ray) {
+      const double a = angle(random);
+      directions.emplace_back(std::cos(a), std::sin(a));
+    }
+    const Eigen::Vector2d origin(place(random), place(random));
+    const double range = 40.0;
+    std::vector<double> distances(directions.size());
+    index.CastRays(origin, directions.data(), directions.size(), range,
+                   distances.data());
+    for (std::size_t ray = 0; ray < directions.size(); ++ray) {
+      double expected = kInfinity;
+      for (const Shape& shape : shapes) {
+        expected =
+            std::min(expected, RayDistance(shape, origin, directions[ray]));
+      }
+      if (expected > range) expected = kInfinity;
+      if (std::isfinite(expected)) {
+        EXPECT_NEAR(distances[ray], expected, 1e-9);
+      } else {
+        EXPECT_EQ(distances[ray], expected);
+      }
+      EXPECT_EQ(index.CastRay(origin, directions[ray], range), distances[ray]);
+    }
+  }
+}
+
+TEST(ShapeIndexTest, RaysFromAndAlongTheBordersOfAllShapes) {
+  const ShapeIndex index({MakeBox({0.5, 0.5, 0.0}, {1.0, 1.0}),
+                          MakeBox({4.5, 4.5, 0.0}, {1.0, 1.0})});
+  EXPECT_DOUBLE_EQ(index.CastRay({0, 3}, {0, -1}, 10.0), 2.0);
+  EXPECT_DOUBLE_EQ(index.CastRay({5, 0}, {0, 1}, 10.0), 4.0);
+  EXPECT_DOUBLE_EQ(index.CastRay({5, 2}, {-1, 0}, 10.0), kInfinity);
+  EXPECT_DOUBLE_EQ(index.CastRay({-7, 1}, {1, 0}, 10.0), 7.0);
+  EXPECT_DOUBLE_EQ(index.CastRay({5, 9}, {0, -1}, 10.0), 4.0);
+  EXPECT_EQ(index.CastRay({5, 9}, {0, 1}, 10.0), kInfinity);
+  EXPECT_EQ(index.CastRay({100, 100}, {1, 0}, 10.0), kInfinity);
+}
+
 TEST(ShapeIndexTest, NearMissesNothing) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-8.0, 8.0);
