@@ -29,6 +29,24 @@ double ShareOfSlip(double component, double speed) {
   return std::max(kLeastShare, std::abs(component) / speed);
 }
 
+/// What a tyre has to hold on to.
+struct Grip {
+  double friction;
+  double slip_stiffness;  // N s/m
+};
+
+Grip FindGrip(const std::vector<GroundPatch>& patches,
+              const Eigen::Vector2d& place, const JackalModel& model) {
+  for (const GroundPatch& patch : patches) {
+    for (const Shape& shape : patch.shapes) {
+      if (Contains(shape, place)) {
+        return {patch.friction, patch.tyre_slip_stiffness};
+      }
+    }
+  }
+  return {model.friction, model.tyre_slip_stiffness};
+}
+
 /// ODE wants to be initialised once in a process, and by each thread.
 void InitializeOde() {
   static const bool initialized = dInitODE2(0) != 0;
@@ -144,7 +162,7 @@ void Jackal::Control(const Twist2D& command, double duration) {
   }
 }
 
-void Jackal::TouchGround() {
+void Jackal::TouchGround(const std::vector<GroundPatch>& patches) {
   const dReal* rotation = dBodyGetRotation(bodies_->chassis);
   // The axles' direction, in the plane and in full.
   const double ax = rotation[1], ay = rotation[5], az = rotation[9];
@@ -177,13 +195,15 @@ void Jackal::TouchGround() {
     const double speed = std::hypot(along, across);
     // ODE caps the two directions one by one; sharing the cap by the slip's
     // direction makes of the box the circle that friction is.
-    const double cap = model_.friction * load;
+    const Grip grip =
+        FindGrip(patches, {contact.geom.pos[0], contact.geom.pos[1]}, model_);
+    const double cap = grip.friction * load;
     contact.surface.mode = dContactMu2 | dContactFDir1 | dContactSlip1 |
                            dContactSlip2 | dContactSoftERP | dContactSoftCFM;
     contact.surface.mu = cap * ShareOfSlip(along, speed);
     contact.surface.mu2 = cap * ShareOfSlip(across, speed);
-    contact.surface.slip1 = 1.0 / model_.tyre_slip_stiffness;
-    contact.surface.slip2 = 1.0 / model_.tyre_slip_stiffness;
+    contact.surface.slip1 = 1.0 / grip.slip_stiffness;
+    contact.surface.slip2 = 1.0 / grip.slip_stiffness;
     contact.surface.soft_erp = 0.2;
     contact.surface.soft_cfm = 1e-5;
     dJointAttach(dJointCreateContact(world_->handles_->world,

@@ -63,6 +63,7 @@ class Simulation::Impl {
 
  private:
   std::vector<Shape> Outlines() const;
+  std::vector<SeenRobot> SeenRobots() const;
   void Collide(std::size_t index, const std::vector<Shape>& outlines);
   void NoteCollision(Robot* robot, const std::string& with);
   void TakeScan(std::size_t index, const std::vector<Shape>& outlines);
@@ -96,6 +97,16 @@ std::vector<Shape> Simulation::Impl::Outlines() const {
   outlines.reserve(robots_.size());
   for (const Robot& robot : robots_) outlines.push_back(robot.body.Outline());
   return outlines;
+}
+
+std::vector<SeenRobot> Simulation::Impl::SeenRobots() const {
+  std::vector<SeenRobot> seen;
+  seen.reserve(robots_.size());
+  for (const Robot& robot : robots_) {
+    seen.push_back({robot.body.pose(), robot.body.Outline(),
+                    robot.body.velocity().norm()});
+  }
+  return seen;
 }
 
 void Simulation::Impl::NoteCollision(Robot* robot, const std::string& with) {
@@ -140,13 +151,13 @@ void Simulation::Impl::TakeScan(std::size_t index,
 StepEvents Simulation::Impl::Step() {
   const double step = parameters_.step;
   std::vector<Shape> outlines = Outlines();
-  solids_->Update(time(), outlines);
+  if (solids_->MayChange()) solids_->Update(time(), SeenRobots());
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
     const bool timed_out =
         time() - robot.command_time > parameters_.command_timeout;
     robot.body.Control(timed_out ? Twist2D() : robot.command, step);
-    robot.body.TouchGround();
+    robot.body.TouchGround(world_.ground);
     Collide(i, outlines);
   }
   physics_->Step(step);
@@ -201,7 +212,7 @@ bool Simulation::Impl::Spawn(const StaticObstacle& obstacle) {
 
 bool Simulation::Impl::Delete(const std::string& name) {
   const bool removed = solids_->Remove(name);
-  solids_->Update(time(), Outlines());
+  solids_->Update(time(), SeenRobots());
   return removed;
 }
 

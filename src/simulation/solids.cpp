@@ -21,18 +21,19 @@ bool AnyNamed(const std::vector<Named>& things, const std::string& name) {
                      [&](const Named& thing) { return thing.name == name; });
 }
 
-bool IsDue(const PopUp& pop_up, double time, const std::vector<Shape>& robots) {
+bool IsDue(const PopUp& pop_up, double time,
+           const std::vector<SeenRobot>& robots) {
   if (pop_up.time && time >= *pop_up.time) return true;
   return pop_up.approach_distance && !robots.empty() &&
-         (robots.front().center - pop_up.approach_point).norm() <=
+         (robots.front().pose.position() - pop_up.approach_point).norm() <=
              *pop_up.approach_distance;
 }
 
 bool TouchesAny(const std::vector<Shape>& shapes,
-                const std::vector<Shape>& others) {
+                const std::vector<SeenRobot>& robots) {
   for (const Shape& shape : shapes) {
-    for (const Shape& other : others) {
-      if (Distance(shape, other) <= 0.0) return true;
+    for (const SeenRobot& robot : robots) {
+      if (Distance(shape, robot.outline) <= 0.0) return true;
     }
   }
   return false;
@@ -41,7 +42,9 @@ bool TouchesAny(const std::vector<Shape>& shapes,
 }  // namespace
 
 Solids::Solids(const World& world)
-    : world_(world), appeared_(world.pop_ups.size(), false) {
+    : world_(world),
+      walkers_(world.walkers.begin(), world.walkers.end()),
+      appeared_(world.pop_ups.size(), false) {
   IndexStatics();
   Update(0.0, {});
 }
@@ -58,7 +61,7 @@ void Solids::IndexStatics() {
   statics_ = ShapeIndex(std::move(shapes));
 }
 
-void Solids::Update(double time, const std::vector<Shape>& robots) {
+void Solids::Update(double time, const std::vector<SeenRobot>& robots) {
   moving_.clear();
   for (const Mover& mover : world_.movers) {
     const Pose2D place(mover.PositionAt(time), 0.0);
@@ -74,6 +77,14 @@ void Solids::Update(double time, const std::vector<Shape>& robots) {
     for (const Shape& shape : pop_up.shapes) {
       moving_.push_back({shape, &pop_up.name});
     }
+  }
+  // Last, as they mind whatever else there is; each minds those before it.
+  const auto is_free = [this](const Shape& shape) {
+    return !IsOccupied(shape);
+  };
+  for (std::size_t i = 0; i < walkers_.size(); ++i) {
+    walkers_[i].Update(time, robots, is_free);
+    moving_.push_back({walkers_[i].shape(), &world_.walkers[i].name});
   }
 }
 
@@ -101,7 +112,7 @@ bool Solids::IsOccupied(const Shape& shape) const {
 
 bool Solids::HasName(const std::string& name) const {
   return AnyNamed(world_.obstacles, name) || AnyNamed(world_.movers, name) ||
-         AnyNamed(world_.pop_ups, name);
+         AnyNamed(world_.pop_ups, name) || AnyNamed(world_.walkers, name);
 }
 
 bool Solids::Add(const StaticObstacle& obstacle) {
@@ -115,7 +126,11 @@ bool Solids::Remove(const std::string& name) {
   for (std::size_t i = 0; i < world_.pop_ups.size(); ++i) {
     if (world_.pop_ups[i].name == name) appeared_.erase(appeared_.begin() + i);
   }
+  for (std::size_t i = 0; i < world_.walkers.size(); ++i) {
+    if (world_.walkers[i].name == name) walkers_.erase(walkers_.begin() + i);
+  }
   const bool removed = EraseByName(&world_.obstacles, name) ||
+                       EraseByName(&world_.walkers, name) ||
                        EraseByName(&world_.movers, name) ||
                        EraseByName(&world_.pop_ups, name);
   // The names that shapes point at have moved in memory.

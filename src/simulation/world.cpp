@@ -55,6 +55,7 @@ void CheckNames(const std::string& file, const World& world) {
   }
   for (const auto& mover : world.movers) CheckName(file, mover.name, taken);
   for (const auto& pop_up : world.pop_ups) CheckName(file, pop_up.name, taken);
+  for (const auto& walker : world.walkers) CheckName(file, walker.name, taken);
   for (const auto& robot : world.robots) CheckName(file, robot.name, taken);
 }
 

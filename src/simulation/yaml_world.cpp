@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "vfh_astar/simulation/jackal.h"
 #include "vfh_astar/simulation/mover_fields.h"
 #include "vfh_astar/simulation/solid_fields.h"
 #include "vfh_astar/simulation/world_fields.h"
@@ -48,9 +49,13 @@ std::vector<RobotStart> ReadRobots(const YamlField& field) {
   std::vector<RobotStart> robots;
   const std::vector<YamlField> items = field.Items();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    items[i].AllowOnly({"name", "start"});
-    const RobotStart robot = {ReadName(items[i], "robot", i),
-                              ReadPose(items[i]["start"])};
+    items[i].AllowOnly({"name", "start", "goal"});
+    RobotStart robot;
+    robot.name = ReadName(items[i], "robot", i);
+    robot.pose = ReadPose(items[i]["start"]);
+    if (items[i]["goal"].Exists()) {
+      robot.goal = ReadGoal(items[i]["goal"], robot.pose);
+    }
     if (!IsNamespace(robot.name)) {
       items[i]["name"].Fail("a letter, then letters, digits or _");
     }
@@ -108,12 +113,63 @@ std::vector<PopUp> ReadPopUps(const YamlField& field,
   return pop_ups;
 }
 
+Walker ReadWalker(const YamlField& field, const std::string& name) {
+  field.AllowOnly({"name", "position", "radius", "speed", "notice", "ahead",
+                   "keep", "stand", "times"});
+  Walker walker;
+  walker.name = name;
+  walker.home = ReadPoint(field["position"]);
+  const auto read = [&field](const std::string& key, double min, double max,
+                             double* value) {
+    if (field[key].Exists()) *value = field[key].Number(min, max);
+  };
+  read("radius", kSmallestSize, kLargestSize, &walker.radius);
+  read("speed", 0.01, 10.0, &walker.speed);
+  read("notice", 0.0, kFarthestPlace, &walker.notice);
+  read("ahead", 0.0, kFarthestPlace, &walker.ahead);
+  read("keep", 0.05, kFarthestPlace, &walker.keep);
+  read("stand", 0.0, kLongestTime, &walker.stand);
+  if (field["times"].Exists()) {
+    walker.times = field["times"].Integer(1, 1000);
+  }
+  return walker;
+}
+
+std::vector<Walker> ReadWalkers(const YamlField& field) {
+  std::vector<Walker> walkers;
+  const std::vector<YamlField> items = field.Items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    walkers.push_back(ReadWalker(items[i], ReadName(items[i], "walker", i)));
+  }
+  return walkers;
+}
+
+std::vector<GroundPatch> ReadGround(const YamlField& field,
+                                    const WorldLoadOptions& options) {
+  std::vector<GroundPatch> ground;
+  for (const YamlField& item : field.Items()) {
+    item.AllowOnly({"shape", "friction", "tyre_slip_stiffness"});
+    const JackalModel usual;
+    GroundPatch patch{ReadSolid(item["shape"], options), usual.friction,
+                      usual.tyre_slip_stiffness};
+    if (item["friction"].Exists()) {
+      patch.friction = item["friction"].Number(0.01, 10.0);
+    }
+    if (item["tyre_slip_stiffness"].Exists()) {
+      patch.tyre_slip_stiffness =
+          item["tyre_slip_stiffness"].Number(1.0, 10000.0);
+    }
+    ground.push_back(patch);
+  }
+  return ground;
+}
+
 }  // namespace
 
 World ReadYamlWorld(const YamlField& root, const WorldLoadOptions& options) {
   root["version"].Choice({"1"});
-  std::vector<std::string> keys = {"version", "name",   "goal",
-                                   "robots",  "movers", "pop_ups"};
+  std::vector<std::string> keys = {"version", "name",    "goal",    "robots",
+                                   "movers",  "pop_ups", "walkers", "ground"};
   for (const SolidKind& kind : SolidKinds()) keys.push_back(kind.plural);
   root.AllowOnly(keys);
 
@@ -122,10 +178,14 @@ World ReadYamlWorld(const YamlField& root, const WorldLoadOptions& options) {
   world.obstacles = ReadObstacles(root, options);
   world.movers = ReadMovers(root["movers"]);
   world.pop_ups = ReadPopUps(root["pop_ups"], options);
+  world.walkers = ReadWalkers(root["walkers"]);
+  world.ground = ReadGround(root["ground"], options);
   world.robots = ReadRobots(root["robots"]);
   if (root["goal"].Exists()) {
     const Pose2D start = world.robots.empty() ? Pose2D() : world.robots[0].pose;
     world.goal = ReadGoal(root["goal"], start);
+  } else if (!world.robots.empty()) {
+    world.goal = world.robots[0].goal;
   }
   return world;
 }

@@ -8,6 +8,7 @@
 #include "vfh_astar/footprint.h"
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/simulation/shape.h"
+#include "vfh_astar/simulation/world.h"
 
 namespace vfh_astar {
 
@@ -78,7 +79,8 @@ class Jackal {
   void Control(const Twist2D& command, double duration);
 
   /// Puts the tyres on the ground for the step to come.
-  void TouchGround();
+  /// @param[in] patches where the ground is not what the model says.
+  void TouchGround(const std::vector<GroundPatch>& patches = {});
 
   /// Touches something solid in the step to come.
   void Touch(const ContactPoint& contact);

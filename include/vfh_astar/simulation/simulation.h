@@ -94,7 +94,7 @@ class Simulation {
   /// @return false when the name is taken or a robot stands there.
   bool Spawn(const StaticObstacle& obstacle);
 
-  /// Takes away an obstacle, mover or pop-up by its name.
+  /// Takes away an obstacle, mover, walker or pop-up by its name.
   /// @return false when there is none of this name.
   bool Delete(const std::string& name);
 

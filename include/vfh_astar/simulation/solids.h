@@ -7,6 +7,7 @@
 
 #include "vfh_astar/simulation/shape.h"
 #include "vfh_astar/simulation/shape_index.h"
+#include "vfh_astar/simulation/walker_motion.h"
 #include "vfh_astar/simulation/world.h"
 
 namespace vfh_astar {
@@ -24,9 +25,16 @@ class Solids {
 
   /// Moves the movers to where they are at `time` (s) and lets appear what is
   /// due.
-  /// @param[in] robots outlines; the first one is who is approached, and
-  ///   nothing appears where a robot stands.
-  void Update(double time, const std::vector<Shape>& robots);
+  /// @param[in] robots the first one is who pop-ups wait for; walkers mind all
+  ///   of them, and nothing appears where one stands.
+  void Update(double time, const std::vector<SeenRobot>& robots);
+
+  /// False when nothing ever moves or appears, so that there is no need for
+  /// Update.
+  bool MayChange() const {
+    return !(world_.movers.empty() && world_.pop_ups.empty() &&
+             world_.walkers.empty());
+  }
 
   /// The shapes that may come within `radius` (m) of a point.
   std::vector<NamedShape> Near(const Eigen::Vector2d& point,
@@ -34,7 +42,7 @@ class Solids {
 
   /// What does not move.
   const ShapeIndex& statics() const { return statics_; }
-  /// Movers, and pop-ups that have appeared.
+  /// Movers, walkers, and pop-ups that have appeared.
   const std::vector<NamedShape>& moving() const { return moving_; }
 
   /// True when something solid touches the shape.
@@ -53,6 +61,7 @@ class Solids {
   ShapeIndex statics_;
   std::vector<int> static_owners_;  ///< by shape in statics_.
   std::vector<NamedShape> moving_;
+  std::vector<WalkerMotion> walkers_;
   std::vector<bool> appeared_;  ///< by pop-up.
 };
 

@@ -47,9 +47,33 @@ struct PopUp {
   Eigen::Vector2d approach_point = Eigen::Vector2d::Zero();
 };
 
+/// Somebody who steps into a robot's way, again and again, as WalkerMotion
+/// tells.
+struct Walker {
+  std::string name;
+  Eigen::Vector2d home = Eigen::Vector2d::Zero();  ///< m, where it begins.
+  double radius = 0.25;                            ///< m
+  double speed = 1.5;                              ///< m/s
+  double notice = 4.0;  ///< m from a robot's centre at which it sets off.
+  double ahead = 1.5;   ///< m in front of the robot's centre, where it wants
+                        ///< to be by the time it gets there.
+  double keep = 0.6;    ///< m that it keeps from a robot while it walks.
+  double stand = 1.5;   ///< s that it stands there.
+  int times = 3;        ///< that it does so.
+};
+
+/// A part of the floor on which tyres have another grip.
+struct GroundPatch {
+  std::vector<Shape> shapes;
+  double friction = 0.0;  ///< of the tyres.
+  /// N s/m per wheel, see JackalModel.
+  double tyre_slip_stiffness = 0.0;
+};
+
 struct RobotStart {
   std::string name;
   Pose2D pose;
+  std::optional<Pose2D> goal = std::nullopt;  ///< suggested.
 };
 
 /// A planar world as its file describes it.
@@ -58,8 +82,10 @@ struct World {
   std::vector<StaticObstacle> obstacles;
   std::vector<Mover> movers;
   std::vector<PopUp> pop_ups;
-  std::vector<RobotStart> robots;  ///< at least one.
-  std::optional<Pose2D> goal;      ///< suggested for the first robot.
+  std::vector<Walker> walkers;
+  std::vector<GroundPatch> ground;  ///< the first one under a wheel holds.
+  std::vector<RobotStart> robots;   ///< at least one.
+  std::optional<Pose2D> goal;       ///< suggested for the first robot.
 };
 
 /// A world file that cannot be read; the message names the file, the line or

@@ -24,6 +24,7 @@ class JackalTest : public testing::Test {
 
   PhysicsWorld world_;
   Jackal robot_;
+  Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
 };
 
 TEST_F(JackalTest, StandsStillForTenMinutes) {
@@ -85,6 +86,40 @@ TEST_F(JackalTest, PushesAgainstAWallWithoutPassingIt) {
   }
   EXPECT_NEAR(robot_.pose().x, 2.95 - robot_.model().footprint.front, 0.02);
   EXPECT_NEAR(robot_.twist().v, 0.0, 0.02);
+}
+
+TEST_F(JackalTest, BrakesLateOnSlipperyGround) {
+  const GroundPatch ice{{MakeDisc({1.0, 2.0}, 500.0)}, 0.1, 200.0};
+  const auto braking_distance = [this](const std::vector<GroundPatch>& ground) {
+    robot_.Place({1.0, 2.0, 0.0});
+    for (int i = 0; i < 1500; ++i) {
+      robot_.Control({i < 1000 ? 1.0 : 0.0, 0.0}, kStep);
+      // Gets up to speed on good ground.
+      robot_.TouchGround(i < 1000 ? std::vector<GroundPatch>() : ground);
+      world_.Step(kStep);
+      if (i == 999) start_ = robot_.pose().position();
+    }
+    return (robot_.pose().position() - start_).norm();
+  };
+  const double on_floor = braking_distance({});
+  const double on_ice = braking_distance({ice});
+  EXPECT_LT(on_floor, 0.12);
+  // v^2 / (2 mu g) is 0.51 m.
+  EXPECT_NEAR(on_ice, 0.51, 0.05);
+}
+
+TEST_F(JackalTest, SoftTyresSlipInTurnsSoThatWheelsMisjudgeThem) {
+  const GroundPatch soft{{MakeDisc({1.0, 2.0}, 500.0)}, 1.5, 30.0};
+  robot_.Place({1.0, 2.0, 0.0});
+  for (int i = 0; i < 2000; ++i) {
+    robot_.Control({1.5, 1.0}, kStep);
+    robot_.TouchGround({soft});
+    world_.Step(kStep);
+  }
+  // The robot drifts outwards: its nose points into the turn.
+  const Eigen::Vector2d in_robot =
+      Pose2D(0.0, 0.0, -robot_.pose().theta) * robot_.velocity();
+  EXPECT_LT(in_robot.y(), -0.1);
 }
 
 }  // namespace

@@ -38,11 +38,12 @@ TEST(WorldDocumentation, ItsExamplesAreWorlds) {
     SCOPED_TRACE(example);
     World world;
     ASSERT_NO_THROW(world = LoadWorld(folder.Write("world.yaml", example)));
-    solids +=
-        world.obstacles.size() + world.movers.size() + world.pop_ups.size();
+    solids += world.obstacles.size() + world.movers.size() +
+              world.pop_ups.size() + world.walkers.size() + world.ground.size();
   }
-  // One of each static kind, two movers, two pop-ups.
-  EXPECT_EQ(solids, 9u);
+  // One of each static kind, two movers, two pop-ups, one walker, one patch
+  // of ground.
+  EXPECT_EQ(solids, 11u);
 }
 
 }  // namespace

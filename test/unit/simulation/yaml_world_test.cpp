@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "temporary_folder.h"
+#include "vfh_astar/simulation/jackal.h"
 
 namespace vfh_astar {
 namespace {
@@ -171,9 +172,10 @@ TEST(YamlWorld, ReadsRobotsAndGoal) {
 }
 
 TEST(YamlWorld, ErrorsNameLineAndField) {
-  EXPECT_EQ(ErrorOf("boxs: []\n"),
-            "2: 'boxs'; expected one of version, name, goal, robots, movers, "
-            "pop_ups, boxes, cylinders, polygons, walls, bitmaps");
+  EXPECT_EQ(
+      ErrorOf("boxs: []\n"),
+      "2: 'boxs'; expected one of version, name, goal, robots, movers, "
+      "pop_ups, walkers, ground, boxes, cylinders, polygons, walls, bitmaps");
   EXPECT_EQ(ErrorOf("goal: [1, 2]\ngoal: [1, 2]\n"),
             "3: 'goal'; expected each entry once");
   EXPECT_EQ(ErrorOf("boxes: {}\n"),
@@ -257,6 +259,64 @@ TEST(YamlWorld, OtherVersionsAreRefused) {
   } catch (const WorldFileError& error) {
     EXPECT_EQ(error.what(), file + ":1: version: '2'; expected one of 1");
   }
+}
+
+TEST(YamlWorld, ReadsWalkers) {
+  const World world = Read(
+      "walkers:\n"
+      "  - {name: operator, position: [1, 2], radius: 0.3, speed: 1.5,\n"
+      "     notice: 5, ahead: 1.5, keep: 0.4, stand: 3, times: 7}\n"
+      "  - position: [3, 4]\n");
+  ASSERT_EQ(world.walkers.size(), 2u);
+  EXPECT_EQ(world.walkers[0].name, "operator");
+  EXPECT_EQ(world.walkers[0].home, Eigen::Vector2d(1.0, 2.0));
+  EXPECT_EQ(world.walkers[0].radius, 0.3);
+  EXPECT_EQ(world.walkers[0].speed, 1.5);
+  EXPECT_EQ(world.walkers[0].notice, 5.0);
+  EXPECT_EQ(world.walkers[0].ahead, 1.5);
+  EXPECT_EQ(world.walkers[0].keep, 0.4);
+  EXPECT_EQ(world.walkers[0].stand, 3.0);
+  EXPECT_EQ(world.walkers[0].times, 7);
+  EXPECT_EQ(world.walkers[1].name, "walker_2");
+  EXPECT_EQ(world.walkers[1].speed, Walker().speed);
+}
+
+TEST(YamlWorld, ErrorsInWalkers) {
+  EXPECT_EQ(ErrorOf("walkers:\n  - position: [1, 2]\n    times: 0\n"),
+            "4: walkers[0].times: '0'; expected a whole number from 1 to 1000");
+  EXPECT_NE(ErrorOf("walkers: [{position: [1, 2], sped: 1}]\n").find("sped"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf("walkers: [{speed: 1}]\n").find("walkers[0].position"),
+            std::string::npos);
+}
+
+TEST(YamlWorld, ReadsGround) {
+  const World world = Read(
+      "ground:\n"
+      "  - {shape: {box: {pose: [0, 0, 0], size: [2, 2]}}, friction: 0.2}\n"
+      "  - {shape: {cylinder: {position: [5, 5], radius: 1}},\n"
+      "     tyre_slip_stiffness: 50}\n");
+  ASSERT_EQ(world.ground.size(), 2u);
+  EXPECT_EQ(world.ground[0].friction, 0.2);
+  EXPECT_EQ(world.ground[0].tyre_slip_stiffness,
+            JackalModel().tyre_slip_stiffness);
+  EXPECT_TRUE(Contains(world.ground[0].shapes[0], {0.9, -0.9}));
+  EXPECT_EQ(world.ground[1].tyre_slip_stiffness, 50.0);
+  EXPECT_EQ(ErrorOf("ground:\n"
+                    "  - friction: 0\n"
+                    "    shape: {cylinder: {position: [5, 5], radius: 1}}\n"),
+            "3: ground[0].friction: '0'; expected a number from 0.01 to 10");
+}
+
+TEST(YamlWorld, ReadsGoalsOfRobots) {
+  const World world = Read(
+      "robots:\n"
+      "  - {name: a, start: [0, 0, 0], goal: [4, 0]}\n"
+      "  - {name: b, start: [4, 0, 3], goal: [0, 0, 1]}\n");
+  ASSERT_TRUE(world.robots[1].goal.has_value());
+  EXPECT_EQ(world.robots[1].goal->theta, 1.0);
+  ASSERT_TRUE(world.goal.has_value()) << "that of the first robot";
+  EXPECT_EQ(world.goal->x, 4.0);
 }
 
 }  // namespace
