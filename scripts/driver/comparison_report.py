@@ -15,7 +15,6 @@ _COLUMNS = (
     ("plan_max_m", "greatest distance from the plan [m]", "{:.3f}"),
     ("cpu_s", "CPU [s]", "{:.1f}"),
 )
-_COLORS = ("tab:red", "tab:purple", "tab:green", "tab:brown")
 
 
 def table(records):
@@ -33,7 +32,7 @@ def table(records):
 def _draw_paths(records, file):
     figure, axes = plt.subplots(figsize=(9, 9))
     picture.draw_map(axes, next(iter(records.values())))
-    for color, (name, record) in zip(_COLORS, records.items()):
+    for color, (name, record) in zip(picture.COLORS, records.items()):
         picture.draw_driven(axes, record, color, name)
     picture.frame(axes, list(records.values()))
     picture.legend_below(axes)
@@ -43,7 +42,7 @@ def _draw_paths(records, file):
 
 def _draw_errors(records, file):
     figure, axes = plt.subplots(figsize=(9, 4))
-    for color, (name, record) in zip(_COLORS, records.items()):
+    for color, (name, record) in zip(picture.COLORS, records.items()):
         distances = record.distances_from_plan()
         axes.plot([time - record.began for time, _ in distances],
                   [distance for _, distance in distances],

@@ -1,4 +1,5 @@
-"""Drives the simulated Jackal to a goal, tells how it went and draws it."""
+"""Drives the simulated Jackal to a goal, or several of them to a goal each,
+tells how it went and draws it."""
 
 import argparse
 import json
@@ -7,11 +8,12 @@ import signal
 import sys
 import time
 
-from driver import scene, world_file
+from driver import demo_report, scene, world_file
 from driver.launched_stack import LaunchedStack, LaunchError
 
 _OUTPUT = os.path.join(scene.OUTPUT, "demo")
 _MAP_MARGIN = 20.0  # m
+_WORLD_OF_SEVERAL = os.path.join(scene.ROOT, "worlds", "three_robots.yaml")
 
 
 def parse_arguments(arguments):
@@ -19,13 +21,20 @@ def parse_arguments(arguments):
     parser.add_argument("--headless", action="store_true",
                         help="no RViz; ends with the drive")
     scene.add_arguments(parser)
+    parser.add_argument("--robots", type=int, metavar="N",
+                        help="all N robots of a world drive at once, each to "
+                        "its own goal (3 exchange places where no --world is "
+                        "given)")
     parser.add_argument("--map", metavar="FILE", help="a map_server map known "
                         "beforehand (none: the robot builds it as it drives)")
     parser.add_argument("--picture", metavar="PNG",
                         help="(.workspace/demo/<world>.png)")
     options = parser.parse_args(arguments)
     try:
-        scene.complete(options, ("world", "config", "map"))
+        if options.robots in (None, 1):
+            complete_for_one(options)
+        else:
+            complete_for_several(options)
     except (scene.SceneError, world_file.WorldFileError) as error:
         parser.error(str(error))
     if options.picture is None:
@@ -34,117 +43,117 @@ def parse_arguments(arguments):
     return options
 
 
+def complete_for_one(options):
+    scene.complete(options, ("world", "config", "map"))
+    count = len(world_file.read_robots(options.world))
+    if count > 1:
+        raise scene.SceneError("{0} has {1} robots: give --robots {1}".format(
+            options.world, count))
+    # Its topics are in no namespace, whatever the world calls it.
+    options.robots = [world_file.Robot("", options.start, options.goal)]
+
+
+def complete_for_several(options):
+    if options.start is not None or options.goal is not None:
+        raise scene.SceneError("--start and --goal are for one robot; with "
+                               "--robots they are in the world file")
+    if options.world == scene.DEFAULT_WORLD:
+        options.world = _WORLD_OF_SEVERAL
+    scene.find_files(options, ("world", "config", "map"))
+    options.robots = scene.robots_with_goals(options.world, options.robots)
+
+
 def map_extent(options):
-    """The map to begin with, with room around start and goal; a map given
+    """The map to begin with, with room around starts and goals; a map given
     beforehand has its own extent."""
     if options.map is not None:
         return {}
-    (x, y, _), (goal_x, goal_y, _) = options.start, options.goal
-    return {"xmin": min(x, goal_x) - _MAP_MARGIN,
-            "ymin": min(y, goal_y) - _MAP_MARGIN,
-            "xmax": max(x, goal_x) + _MAP_MARGIN,
-            "ymax": max(y, goal_y) + _MAP_MARGIN}
+    places = [place for robot in options.robots
+              for place in (robot.start, robot.goal)]
+    return {"xmin": min(x for x, _, _ in places) - _MAP_MARGIN,
+            "ymin": min(y for _, y, _ in places) - _MAP_MARGIN,
+            "xmax": max(x for x, _, _ in places) + _MAP_MARGIN,
+            "ymax": max(y for _, y, _ in places) + _MAP_MARGIN}
 
 
 def launch_arguments(options):
-    x, y, yaw = options.start
-    return {
+    arguments = {
         **map_extent(options),
-        "world": options.world, "x": x, "y": y, "yaw": yaw,
-        # The map has the world's coordinates when the robot knows where in the
-        # world it starts.
-        "initial_pose_x": x, "initial_pose_y": y, "initial_pose_a": yaw,
-        "seed": options.seed, "config": options.config,
+        "world": options.world, "seed": options.seed, "config": options.config,
         "map_file": options.map, "rviz": str(not options.headless).lower(),
         "lockstep": str(options.headless).lower(),
     }
+    # The map has the world's coordinates when the robots know where in the
+    # world they start.
+    if len(options.robots) > 1:
+        arguments["names"] = " ".join(r.name for r in options.robots)
+        arguments["starts"] = " ".join(
+            ",".join(map(str, r.start)) for r in options.robots)
+    else:
+        x, y, yaw = options.robots[0].start
+        arguments.update(x=x, y=y, yaw=yaw, initial_pose_x=x, initial_pose_y=y,
+                         initial_pose_a=yaw)
+    return arguments
 
 
-class ProgressPrinter:
-    """One line every second of simulated time, and at every new state."""
-
-    def __init__(self, observer):
-        self._observer = observer
-        self._next = 0.0
-        self._state = None
-
-    def __call__(self, elapsed):
-        state = self._observer.last_state
-        if state is None:
-            return
-        if elapsed < self._next and state.state == self._state:
-            return
-        self._next = max(self._next, elapsed) + (elapsed >= self._next)
-        self._state = state.state
-        # Rounded first, and 0 added: no "-0.00".
-        print("{:7.1f} s  {:<10} {:6.2f} m to go  {:5.2f} m/s  "
-              "clearance {:.2f} m".format(
-                  elapsed, state.state, state.distance_to_goal,
-                  round(state.speed, 2) + 0.0, state.clearance), flush=True)
-
-
-def print_outcome(record, picture):
-    figures = record.figures()
-    print()
-    print("{}: {}".format("Goal reached" if record.succeeded
-                          else "Goal not reached", record.message))
-    print("time {:.1f} s (simulated), path {:.2f} m, least clearance {}, "
-          "{}".format(
-              figures["time_s"], figures["path_m"],
-              "unknown" if figures["min_clearance_m"] is None
-              else "{:.2f} m".format(figures["min_clearance_m"]),
-              "contact with " + ", ".join(record.contacts)
-              if record.contacts else "no contact"))
-    print("picture: {}".format(picture))
+def launch_file(options):
+    name = "robots.launch" if len(options.robots) > 1 else "demo.launch"
+    return os.path.join(scene.ROOT, "launch", name)
 
 
 def run(options):
-    """Returns whether the goal was reached without contact."""
+    """Returns whether every goal was reached without contact."""
     os.makedirs(_OUTPUT, exist_ok=True)
     os.makedirs(os.path.dirname(os.path.abspath(options.picture)),
                 exist_ok=True)
-    launch_file = os.path.join(scene.ROOT, "launch", "demo.launch")
     log = os.path.join(_OUTPUT, "roslaunch.log")
-    with LaunchedStack(launch_file, launch_arguments(options), log) as stack:
+    with LaunchedStack(launch_file(options), launch_arguments(options),
+                       log) as stack:
         os.environ["ROS_MASTER_URI"] = stack.master_uri
         # They read the environment of the master when they are loaded.
         from driver import goal_drive, picture
         from driver.observer import Observer
-        print("World {}, from {} to {}".format(
-            options.world, _text(options.start), _text(options.goal)))
+        demo_report.print_scene(options.world, options.robots)
         print("ROS master {}, log {}".format(stack.master_uri, log), flush=True)
         goal_drive.connect(stack, "demo")
-        observer = Observer()
-        record = goal_drive.drive(stack, observer, options.start, options.goal,
-                                  options.time_limit, ProgressPrinter(observer))
-        picture.draw(record, options.picture,
-                     os.path.basename(options.world))
-        print_outcome(record, options.picture)
+        names = [robot.name for robot in options.robots]
+        observers = [Observer(namespace=name) for name in names]
+        records = goal_drive.drive_all(
+            stack,
+            [goal_drive.DriveTask(observer, robot.start, robot.goal)
+             for observer, robot in zip(observers, options.robots)],
+            options.time_limit,
+            demo_report.ProgressPrinter(dict(zip(names, observers))))
+        outcome = dict(zip(names, records))
+        picture.draw(outcome, options.picture, os.path.basename(options.world))
+        demo_report.print_outcome(outcome, options.picture)
         if options.json:
             with open(options.json, "w") as file:
-                json.dump(record.figures(), file, indent=2)
+                json.dump(demo_report.figures(outcome), file, indent=2)
         if not options.headless:
-            follow_clicks(stack, observer)
-    return record.reached_without_contact()
+            follow_clicks(stack, dict(zip(names, observers)))
+    return all(record.reached_without_contact() for record in records)
 
 
-def _text(pose):
-    return "({:g}, {:g}, {:.3g})".format(*pose)
+def follow_clicks(stack, observers):
+    """Tells what the robots do with clicked goals until the launch ends.
 
-
-def follow_clicks(stack, observer):
-    """Tells what the robot does with clicked goals until the launch ends."""
+    observers: {robot's name: Observer}
+    """
     print("\nClick goals with '2D Nav Goal' in RViz; Ctrl-C ends.", flush=True)
-    shown = None
+    shown = {}
     while True:
         try:
             stack.check_alive()
         except LaunchError:
             return
-        state = observer.last_state
-        if state is not None and (state.state, state.reason) != shown:
-            shown = (state.state, state.reason)
-            print("{:<10} {}".format(*shown), flush=True)
+        for name, observer in observers.items():
+            state = observer.last_state
+            now = state and (state.state, state.reason)
+            if now and now != shown.get(name):
+                shown[name] = now
+                print("{}{:<10} {}".format(name and name + "  ", *now),
+                      flush=True)
         time.sleep(0.1)
 
 

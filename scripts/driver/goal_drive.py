@@ -1,7 +1,9 @@
-"""Drives a launched stack to one goal."""
+"""Drives the robots of a launched stack to a goal each."""
 
 import math
 import time
+from dataclasses import dataclass
+from typing import Tuple
 
 import actionlib
 import rospy
@@ -12,6 +14,7 @@ from sensor_msgs.msg import LaserScan
 
 from driver.drive_record import DriveRecord
 from driver.launched_stack import LaunchError
+from driver.observer import Observer
 
 _STARTUP_LIMIT = 60.0  # s of the wall clock for each thing to come up
 _CLOCK_LIMIT = 30.0  # s of the wall clock without simulated progress
@@ -40,15 +43,18 @@ def connect(stack, node_name):
 
 
 class GoalClient:
-    """The move_base action of a stack and what must be there to use it."""
+    """The move_base action of a robot and what must be there to use it."""
 
     def __init__(self, stack, observer):
         self._stack = stack
         self._observer = observer
         self._scan_seen = False
+        self._scan_topic = observer.topic("front/scan")
+        self._action = observer.topic("move_base")
         self._scan_subscriber = rospy.Subscriber(
-            "front/scan", LaserScan, self._on_scan, queue_size=1)
-        self._client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
+            self._scan_topic, LaserScan, self._on_scan, queue_size=1)
+        self._client = actionlib.SimpleActionClient(self._action,
+                                                    MoveBaseAction)
 
     def _on_scan(self, _):
         self._scan_seen = True
@@ -57,8 +63,10 @@ class GoalClient:
     def wait_until_ready(self):
         """Raises LaunchError naming the first thing that does not come up."""
         self.wait_until_served()
-        _wait(self._stack, lambda: self._scan_seen, "no scan on front/scan")
-        _wait(self._stack, self._observer.has_map, "no map on map")
+        _wait(self._stack, lambda: self._scan_seen,
+              "no scan on " + self._scan_topic)
+        _wait(self._stack, self._observer.has_map,
+              "no map on " + self._observer.topic("map"))
 
     def _is_served(self):
         # The client's own wait counts simulated time and would never end with a
@@ -72,7 +80,8 @@ class GoalClient:
         """As wait_until_ready, for the clock and the action server alone."""
         _wait(self._stack, lambda: rospy.get_time() > 0.0,
               "there is no clock")
-        _wait(self._stack, self._is_served, "no action server on move_base")
+        _wait(self._stack, self._is_served,
+              "no action server on " + self._action)
 
     def send(self, goal):
         """goal: x, y (m), yaw (rad) in the frame map."""
@@ -130,42 +139,82 @@ class _ClockWatch:
         return simulated
 
 
-def _pursue(stack, client, clock, began, time_limit, report):
-    """Waits for the goal's end; returns whether the limit ended it."""
-    cancelled_at = None
-    while not client.is_done():
+@dataclass
+class DriveTask:
+    """What one robot is to do; poses are x, y (m), yaw (rad) in the frame map.
+    """
+
+    observer: Observer
+    start: Tuple[float, float, float]
+    goal: Tuple[float, float, float]
+
+
+class _Pursuit:
+    """One robot on its way to its goal."""
+
+    def __init__(self, stack, task):
+        self._task = task
+        self._client = GoalClient(stack, task.observer)
+        self._cancelled_at = None  # simulated s
+        self.record = DriveRecord(task.start, task.goal)
+
+    def wait_until_ready(self):
+        self._client.wait_until_ready()
+
+    def begin(self, now):
+        self._task.observer.begin(self.record)
+        self.record.began = now
+        self._client.send(self._task.goal)
+
+    def is_over(self):
+        return self.record.ended is not None
+
+    def update(self, now, time_limit):
+        """Ends the record when the robot is there or has no time left."""
+        if not self._client.is_done():
+            if self._cancelled_at is None:
+                if now - self.record.began > time_limit:
+                    self._cancelled_at = now
+                    self._client.cancel()
+                return
+            if now - self._cancelled_at <= _CANCEL_LIMIT:
+                return
+        timed_out = self._cancelled_at is not None
+        self.record.ended = rospy.get_time()
+        self.record.succeeded = self._client.succeeded() and not timed_out
+        self.record.message = self._client.text()
+        if timed_out:
+            self.record.message = "not there after {:.0f} s of simulated " \
+                "time".format(time_limit)
+        self._task.observer.finish()
+
+
+def drive_all(stack, tasks, time_limit, report):
+    """Sends each task's robot to its goal, all at the same time; returns a
+    DriveRecord for each.
+
+    time_limit: simulated seconds after which a goal is cancelled.
+    report: called now and then with the simulated seconds since the goals.
+    """
+    pursuits = [_Pursuit(stack, task) for task in tasks]
+    for pursuit in pursuits:
+        pursuit.wait_until_ready()
+    clock = _ClockWatch(stack)
+    began = clock.now()
+    for pursuit in pursuits:
+        pursuit.begin(began)
+    while not all(pursuit.is_over() for pursuit in pursuits):
         stack.check_alive()
         now = clock.now()
         report(now - began)
-        if cancelled_at is None and now - began > time_limit:
-            cancelled_at = now
-            client.cancel()
-        if cancelled_at is not None and now - cancelled_at > _CANCEL_LIMIT:
-            break
+        for pursuit in pursuits:
+            if not pursuit.is_over():
+                pursuit.update(now, time_limit)
         time.sleep(0.02)
-    return cancelled_at is not None
+    return [pursuit.record for pursuit in pursuits]
 
 
 def drive(stack, observer, start, goal, time_limit, report):
-    """Drives to the goal and returns the record.
-
-    start, goal: x, y (m), yaw (rad) in the frame map.
-    time_limit: simulated seconds after which the goal is cancelled.
-    report: called now and then with the simulated seconds since the goal.
-    """
-    client = GoalClient(stack, observer)
-    client.wait_until_ready()
-    clock = _ClockWatch(stack)
-    record = DriveRecord(start, goal)
-    observer.begin(record)
-    record.began = clock.now()
-    client.send(goal)
-    timed_out = _pursue(stack, client, clock, record.began, time_limit, report)
-    record.ended = rospy.get_time()
-    record.succeeded = client.succeeded() and not timed_out
-    record.message = client.text()
-    if timed_out:
-        record.message = "not there after {:.0f} s of simulated time".format(
-            time_limit)
-    observer.finish()
-    return record
+    """As drive_all, for one robot; returns its record."""
+    task = DriveTask(observer, start, goal)
+    return drive_all(stack, [task], time_limit, report)[0]

@@ -7,6 +7,7 @@ import numpy as np
 import rospy
 from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
+from rosgraph.names import ns_join
 from std_msgs.msg import Float64
 
 from driver.drive_record import GridMap, PoseSample, StateSample
@@ -21,10 +22,13 @@ class Observer:
     """Fills the record that is set; only the map and the newest pose are kept
     without one. All topics are relative, as the stack's are."""
 
-    def __init__(self, plan_topic="plan", map_pose=(0.0, 0.0, 0.0)):
+    def __init__(self, plan_topic="plan", map_pose=(0.0, 0.0, 0.0),
+                 namespace=""):
         """map_pose: the frame of the stack's map and plans in the world; m, rad.
+        namespace: the robot's, where there are several; relative.
         """
         self._map_pose = map_pose
+        self._namespace = namespace
         self._lock = threading.Lock()
         self._record = None
         self._map = None
@@ -32,25 +36,30 @@ class Observer:
         self.last_pose = None
         self.last_speed = 0.0  # m/s, ground truth
         self.last_state = None
-        rospy.Subscriber("map", OccupancyGrid, self._on_map, queue_size=5)
-        rospy.Subscriber("map_updates", OccupancyGridUpdate,
-                         self._on_map_update, queue_size=100)
-        rospy.Subscriber("ground_truth/odom", Odometry, self._on_ground_truth,
-                         queue_size=100)
-        rospy.Subscriber("clearance", Float64, self._on_clearance,
-                         queue_size=100)
-        rospy.Subscriber(plan_topic, Path, self._on_plan, queue_size=20)
-        rospy.Subscriber("trajectory_path", Path, self._on_trajectory,
-                         queue_size=20)
+        self._subscribe("map", OccupancyGrid, self._on_map, 5)
+        self._subscribe("map_updates", OccupancyGridUpdate,
+                        self._on_map_update, 100)
+        self._subscribe("ground_truth/odom", Odometry, self._on_ground_truth,
+                        100)
+        self._subscribe("clearance", Float64, self._on_clearance, 100)
+        self._subscribe(plan_topic, Path, self._on_plan, 20)
+        self._subscribe("trajectory_path", Path, self._on_trajectory, 20)
         self._subscribe_own_messages()
 
     def _subscribe_own_messages(self):
         # Generated in the workspace, which has to be sourced before.
         from vfh_astar.msg import CollisionReport, NavigationState
-        rospy.Subscriber("collision", CollisionReport, self._on_collision,
-                         queue_size=10)
-        rospy.Subscriber("navigation_state", NavigationState, self._on_state,
-                         queue_size=200)
+        self._subscribe("collision", CollisionReport, self._on_collision, 10)
+        self._subscribe("navigation_state", NavigationState, self._on_state,
+                        200)
+
+    def topic(self, name):
+        """The name with the robot's namespace before it."""
+        return ns_join(self._namespace, name)
+
+    def _subscribe(self, topic, message_type, callback, queue_size):
+        rospy.Subscriber(self.topic(topic), message_type, callback,
+                         queue_size=queue_size)
 
     def begin(self, record):
         with self._lock:

@@ -1,5 +1,6 @@
 """Draws a drive: the map, what was planned and what was driven."""
 
+import itertools
 import math
 
 import matplotlib
@@ -9,6 +10,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
+COLORS = ("tab:red", "tab:purple", "tab:green", "tab:brown")  # in turn
 _MARGIN = 1.5  # m around everything that was driven or planned
 # m, the Jackal with its wheels about base_link: (front, rear, half width).
 _FOOTPRINT = (0.229, 0.229, 0.208)
@@ -66,18 +68,34 @@ def draw_driven(axes, record, color, label):
                   label=label)
 
 
+def _draw_outlines(axes, record, color):
+    """An outline every second."""
+    next_outline = -math.inf
+    for pose in record.poses:
+        if pose.time >= next_outline:
+            outline = _footprint_outline(pose.x, pose.y, pose.yaw)
+            axes.plot(outline[:, 0], outline[:, 1], color=color, linewidth=0.5,
+                      alpha=0.6)
+            next_outline = pose.time + 1.0
+
+
 def draw_map(axes, record):
     if record.map is not None:
         axes.imshow(_shades(record.map.cells), origin="lower", cmap="gray",
                     vmin=0.0, vmax=1.0, extent=record.map.extent(),
                     interpolation="nearest")
-    axes.plot(*record.start[:2], "o", color="tab:blue", markersize=7,
-              label="start")
-    axes.plot(*record.goal[:2], "*", color="tab:orange", markersize=13,
-              label="goal")
+    draw_ends(axes, record)
     axes.set_aspect("equal")
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
+
+
+def draw_ends(axes, record, named=True):
+    """Start and goal; `named` in the legend."""
+    axes.plot(*record.start[:2], "o", color="tab:blue", markersize=7,
+              label="start" if named else None)
+    axes.plot(*record.goal[:2], "*", color="tab:orange", markersize=13,
+              label="goal" if named else None)
 
 
 def legend_below(axes):
@@ -86,21 +104,34 @@ def legend_below(axes):
                 fontsize=8)
 
 
-def draw(record, file, title):
-    """Writes a PNG."""
-    figure, axes = plt.subplots(figsize=(9, 9))
-    draw_map(axes, record)
+def _draw_one(axes, record):
     _draw_lines(axes, record.trajectories, "tab:green", "trajectory", 4.0)
     _draw_lines(axes, record.plans, "tab:blue", "plan", 1.2)
     draw_driven(axes, record, "tab:red", "driven (ground truth)")
-    next_outline = -math.inf
-    for pose in record.poses:
-        if pose.time >= next_outline:
-            outline = _footprint_outline(pose.x, pose.y, pose.yaw)
-            axes.plot(outline[:, 0], outline[:, 1], color="tab:red",
-                      linewidth=0.5, alpha=0.6)
-            next_outline = pose.time + 1.0
-    frame(axes, [record])
+    _draw_outlines(axes, record, "tab:red")
+
+
+def _draw_several(axes, records):
+    for color, (name, record) in zip(itertools.cycle(COLORS), records.items()):
+        draw_ends(axes, record, named=False)
+        draw_driven(axes, record, color, name)
+        _draw_outlines(axes, record, color)
+
+
+def draw(records, file, title):
+    """Writes a PNG of one robot's drive with its plans, or of several robots'
+    at the same time, over the first one's map.
+
+    records: {robot's name: DriveRecord}
+    """
+    figure, axes = plt.subplots(figsize=(9, 9))
+    first = next(iter(records.values()))
+    draw_map(axes, first)
+    if len(records) == 1:
+        _draw_one(axes, first)
+    else:
+        _draw_several(axes, records)
+    frame(axes, list(records.values()))
     axes.set_title(title)
     legend_below(axes)
     figure.savefig(file, dpi=120, bbox_inches="tight")

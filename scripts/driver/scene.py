@@ -1,6 +1,7 @@
 """The scene of a drive as the command line gives it: world, start and goal."""
 
 import argparse
+import dataclasses
 import math
 import os
 
@@ -9,6 +10,7 @@ from driver import poses, world_file
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
     os.path.abspath(__file__))))
 OUTPUT = os.path.join(ROOT, ".workspace")
+DEFAULT_WORLD = os.path.join(ROOT, "worlds", "hairpin.yaml")
 
 
 class SceneError(Exception):
@@ -26,7 +28,7 @@ def _seconds(text):
 def add_arguments(parser):
     parser.add_argument(
         "--world", metavar="FILE",
-        default=os.path.join(ROOT, "worlds", "hairpin.yaml"),
+        default=DEFAULT_WORLD,
         help="world of this package, Gazebo .world, DynaBARN or map_server "
         "file (the hairpin)")
     parser.add_argument("--start", type=poses.pose_argument,
@@ -50,6 +52,24 @@ def complete(options, file_options=("world", "config")):
 
     Raises SceneError or world_file.WorldFileError.
     """
+    find_files(options, file_options)
+    own_start, own_goal = world_file.read_start_and_goal(options.world)
+    options.start = options.start or own_start
+    goal = options.goal or own_goal
+    if options.start is None:
+        raise SceneError("{} names no start: give --start X,Y,YAW".format(
+            options.world))
+    if goal is None:
+        raise SceneError("{} names no goal: give --goal X,Y,YAW".format(
+            options.world))
+    options.goal = poses.with_yaw(goal, options.start)
+
+
+def find_files(options, file_options):
+    """The part of complete() that looks at files.
+
+    Raises SceneError for one that is not there, or cannot be written.
+    """
     for name in file_options:
         file = getattr(options, name)
         if file is None:
@@ -61,16 +81,26 @@ def complete(options, file_options=("world", "config")):
             os.path.dirname(os.path.abspath(options.json))):
         raise SceneError("--json: there is no folder for {}".format(
             options.json))
-    own_start, own_goal = world_file.read_start_and_goal(options.world)
-    options.start = options.start or own_start
-    goal = options.goal or own_goal
-    if options.start is None:
-        raise SceneError("{} names no start: give --start X,Y,YAW".format(
-            options.world))
-    if goal is None:
-        raise SceneError("{} names no goal: give --goal X,Y,YAW".format(
-            options.world))
-    options.goal = poses.with_yaw(goal, options.start)
+
+
+def robots_with_goals(world, count):
+    """The world's robots, each with a whole pose as its goal.
+
+    Raises SceneError unless there are so many and each has a goal, or
+    world_file.WorldFileError.
+    """
+    robots = world_file.read_robots(world)
+    if len(robots) != count:
+        raise SceneError(
+            "--robots is {}, and {} has {}; expected a world with as many".format(
+                count, world, len(robots)))
+    for robot in robots:
+        if robot.goal is None:
+            raise SceneError("{}: robot {} has no goal; expected one for each "
+                             "robot".format(world, robot.name))
+    return [dataclasses.replace(
+        robot, goal=poses.with_yaw(robot.goal, robot.start))
+        for robot in robots]
 
 
 def world_name(options):

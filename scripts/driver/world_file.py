@@ -1,15 +1,26 @@
-"""What a drive has to know of a world: where it starts and where it goes to.
+"""What a drive has to know of a world: where robots start and go to.
 
 Everything else in the file is the simulator's to read and to check.
 """
 
 import math
+from dataclasses import dataclass
+from typing import Optional, Tuple
 
 import yaml
 
 
 class WorldFileError(Exception):
     """The message names the file, the field, its value and what is expected."""
+
+
+@dataclass(frozen=True)
+class Robot:
+    """As the world file has it."""
+
+    name: str
+    start: Tuple[float, float, float]  # m, m, rad
+    goal: Optional[Tuple[float, ...]]  # m, m[, rad]
 
 
 def _pose(document, name, file, counts):
@@ -28,6 +39,14 @@ def _pose(document, name, file, counts):
     return tuple(float(v) for v in value)
 
 
+def _parse(file):
+    try:
+        with open(file) as stream:
+            return yaml.safe_load(stream)
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise WorldFileError("{}: {}".format(file, error)) from error
+
+
 def read_start_and_goal(file):
     """(x, y, yaw) and (x, y[, yaw]) in m and rad, each None where the world
     does not say.
@@ -37,10 +56,30 @@ def read_start_and_goal(file):
     """
     if not file.endswith((".yaml", ".yml")):
         return None, None  # other formats have neither
-    try:
-        with open(file) as stream:
-            document = yaml.safe_load(stream)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise WorldFileError("{}: {}".format(file, error)) from error
+    document = _parse(file)
     return (_pose(document, "robots.0.start", file, (3,)),
             _pose(document, "goal", file, (2, 3)))
+
+
+def read_robots(file):
+    """The robots of a world of this package, each with its start and its own
+    goal.
+
+    Raises WorldFileError as read_start_and_goal does, and for a robot without a
+    start.
+    """
+    if not file.endswith((".yaml", ".yml")):
+        return []
+    document = _parse(file)
+    entries = document.get("robots") if isinstance(document, dict) else None
+    robots = []
+    for i, entry in enumerate(entries if isinstance(entries, list) else []):
+        field = "robots.{}".format(i)
+        start = _pose(document, field + ".start", file, (3,))
+        if start is None:
+            raise WorldFileError("{}: {}.start is missing; expected 3 finite "
+                                 "numbers".format(file, field))
+        robots.append(Robot(
+            str(entry.get("name", "robot_{}".format(i + 1))), start,
+            _pose(document, field + ".goal", file, (2, 3))))
+    return robots

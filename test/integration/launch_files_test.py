@@ -42,6 +42,22 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertLessEqual({"move_base", "slam_gmapping", "simulator"}, other)
         self.assertFalse(navigation & other)
 
+    def test_each_robot_has_a_navigation_of_its_own(self):
+        file = os.path.join(ROOT, "launch", "robots.launch")
+        config = roslaunch.config.load_config_default(
+            [(file, ["names:=anna bert", "starts:=1,2,3 4,5,6"])], port=None,
+            verbose=False)
+        namespaces = {node.namespace for node in config.nodes
+                      if node.type == "nodelet"}
+        self.assertEqual(namespaces, {"/anna/", "/bert/"})
+        for name, x in (("anna", 1.0), ("bert", 4.0)):
+            def value(parameter):
+                return config.params[
+                    "/{}/{}".format(name, parameter)].value
+            self.assertEqual(value("grid_mapper/initial_pose_x"), x)
+            self.assertEqual(value("navigator/odom_frame"), name + "/odom")
+            self.assertEqual(value("tf_prefix"), name)
+
     def test_jackal_has_a_simulator_only_when_asked(self):
         file = os.path.join(ROOT, "launch", "jackal.launch")
         self.assertNotIn("simulator", node_names(file, []))
