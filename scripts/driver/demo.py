@@ -45,10 +45,6 @@ def parse_arguments(arguments):
 
 def complete_for_one(options):
     scene.complete(options, ("world", "config", "map"))
-    count = len(world_file.read_robots(options.world))
-    if count > 1:
-        raise scene.SceneError("{0} has {1} robots: give --robots {1}".format(
-            options.world, count))
     # Its topics are in no namespace, whatever the world calls it.
     options.robots = [world_file.Robot("", options.start, options.goal)]
 

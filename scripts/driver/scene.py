@@ -53,6 +53,11 @@ def complete(options, file_options=("world", "config")):
     Raises SceneError or world_file.WorldFileError.
     """
     find_files(options, file_options)
+    count = len(world_file.read_robots(options.world))
+    if count > 1:
+        raise SceneError("{0} has {1} robots; expected one (scripts/demo "
+                         "--robots {1} drives them all)".format(
+                             options.world, count))
     own_start, own_goal = world_file.read_start_and_goal(options.world)
     options.start = options.start or own_start
     goal = options.goal or own_goal
