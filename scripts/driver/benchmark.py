@@ -1,73 +1,164 @@
-"""Runs one of the benchmark program's commands and prints its figures as a
-table. What a command measures and which options it has is the program's to say:
-scripts/benchmark COMMAND --help."""
+"""Measures a part of the package, or the whole, without a ROS master: prints a
+table, and with --json writes the same figures to a file."""
 
 import argparse
 import json
 import os
+import signal
 import subprocess
 import sys
 
-from driver import scene
+from driver import barn, drive_runs, poses, scene
 
-PROGRAM = os.path.join(scene.OUTPUT, "devel", "lib", "vfh_astar",
-                       "vfh_astar_benchmark")
-_COMMANDS = ("drive", "planner", "simulator")
+# What the benchmark program does in one run, with options of its own.
+_PROGRAM_COMMANDS = {
+    "drive": "one drive in one world",
+    "planner": "the path search over scenarios of the MovingAI benchmark",
+    "simulator": "the simulator's speed",
+}
+
+
+def _count(text):
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError("{} is not 1 or more".format(value))
+    return value
+
+
+def _indices(text):
+    try:
+        return sorted({int(part) for part in text.split(",")})
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            "'{}': expected whole numbers with commas between them".format(text))
+
+
+def _add_run_options(parser, count):
+    parser.add_argument("--runs", type=_count, default=count, metavar="N",
+                        help="of each, every one with a seed of its own "
+                        "({})".format(count))
+    parser.add_argument("--jobs", type=_count, default=os.cpu_count(),
+                        metavar="N", help="processes at a time (one for each "
+                        "processor)")
+
+
+def _add_world_options(parser):
+    parser.add_argument("--worlds", required=True, metavar="DIR",
+                        help="folder of the worlds")
+    parser.add_argument("--indices", type=_indices, metavar="I,J,...",
+                        help="of the worlds (all there are)")
+    parser.add_argument("--config", metavar="FILE",
+                        default=os.path.join(scene.ROOT, "config",
+                                             "jackal.yaml"),
+                        help="parameters of the stack (config/jackal.yaml)")
+
+
+def make_parser():
+    parser = argparse.ArgumentParser(prog="benchmark", description=__doc__)
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND")
+    commands.required = True
+    for name, what in _PROGRAM_COMMANDS.items():
+        commands.add_parser(name, help=what, add_help=False,
+                            allow_abbrev=False)
+    static = commands.add_parser("barn", help="drives through BARN's worlds")
+    static.add_argument("--start", type=poses.pose_argument,
+                        default=barn.START, metavar="X,Y,YAW",
+                        help="the goal lies 10 m ahead along y (-2,3,1.57)")
+    dynamic = commands.add_parser("dynabarn",
+                                  help="drives through DynaBARN's worlds")
+    for command in (static, dynamic):
+        _add_world_options(command)
+        _add_run_options(command, 1)
+    for command in commands.choices.values():
+        command.add_argument("--json", metavar="FILE",
+                             help="write the figures to a file too")
+    return parser
 
 
 def parse_arguments(arguments):
-    """The options of this script, and those it hands on."""
-    parser = argparse.ArgumentParser(prog="benchmark", description=__doc__,
-                                     add_help=False, allow_abbrev=False)
-    parser.add_argument("command", choices=_COMMANDS, nargs="?")
-    parser.add_argument("--json", metavar="FILE",
-                        help="write the figures to a file too")
-    parser.add_argument("-h", "--help", action="store_true")
-    options, rest = parser.parse_known_args(arguments)
-    if options.command is None:
-        if not options.help:
-            parser.error("which command? One of " + ", ".join(_COMMANDS))
-        parser.print_help()
-        parser.exit(0)
-    if options.help:
-        rest.append("--help")
+    """The options, and in `rest` what is for the program to read."""
+    parser = make_parser()
+    options, options.rest = parser.parse_known_args(arguments)
+    if options.rest and options.command not in _PROGRAM_COMMANDS:
+        parser.error("unknown: " + " ".join(options.rest))
     if options.json and not os.path.isdir(
             os.path.dirname(os.path.abspath(options.json))):
         parser.error("--json: there is no folder for " + options.json)
-    return options, rest
+    if getattr(options, "config", None):
+        if not os.path.isfile(options.config):
+            parser.error("--config: there is no file " + options.config)
+        options.config = os.path.abspath(options.config)
+    return options
 
 
-def table(figures, indent=""):
+def run_program(options):
+    """Returns the figures; ends with the program's status when it fails or has
+    none."""
+    # Progress and errors go straight to the terminal.
+    run = subprocess.run([drive_runs.PROGRAM, options.command] + options.rest,
+                         stdout=subprocess.PIPE)
+    try:
+        return json.loads(run.stdout.decode()) if run.returncode == 0 else \
+            sys.exit(run.returncode)
+    except ValueError:
+        sys.stdout.write(run.stdout.decode())  # its help
+        sys.exit(0)
+
+
+def run_barn(options):
+    runs = barn.static_runs(options.worlds, options.config, options.indices,
+                            options.runs, options.start)
+    results = drive_runs.perform_all(runs, options.jobs)
+    barn.add_scores(results, options.worlds, options.start)
+    return barn.summary(results)
+
+
+def run_dynabarn(options):
+    runs = barn.dynamic_runs(options.worlds, options.config, options.indices,
+                             options.runs)
+    return barn.summary(drive_runs.perform_all(runs, options.jobs))
+
+
+def table(figures):
     """One line for each figure, its name as in the JSON file."""
-    width = max((len(name) for name in figures), default=0)
-    lines = []
-    for name, value in figures.items():
-        if isinstance(value, dict):
-            lines += [indent + name, *table(value, indent + "  ")]
-        else:
-            lines.append("{}{}  {}".format(indent, name.ljust(width),
-                                           _text(value)))
-    return lines
+    width = max(map(len, figures))
+    return ["{}  {}".format(name.ljust(width), _text(value))
+            for name, value in figures.items()]
 
 
 def _text(value):
-    """Four digits are more than a timing deserves."""
     if isinstance(value, float):
         return "{:,.0f}".format(value) if abs(value) >= 1e4 else \
             "{:.4g}".format(value)
     return str(value)
 
 
+def run(options):
+    """The figures of a command, and the lines of its table."""
+    if options.command == "barn":
+        figures = run_barn(options)
+        return figures, barn.table(figures)
+    if options.command == "dynabarn":
+        figures = run_dynabarn(options)
+        return figures, barn.table(figures)
+    figures = run_program(options)
+    return figures, table(figures)
+
+
+def _end_on_signal(number, _):
+    raise SystemExit(128 + number)
+
+
 def main():
-    options, rest = parse_arguments(sys.argv[1:])
-    # Progress and errors go straight to the terminal.
-    run = subprocess.run([PROGRAM, options.command] + rest,
-                         stdout=subprocess.PIPE)
-    if run.returncode != 0 or options.help:
-        sys.stdout.write(run.stdout.decode())
-        return run.returncode
-    figures = json.loads(run.stdout.decode())
-    print("\n".join(table(figures)))
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, _end_on_signal)
+    options = parse_arguments(sys.argv[1:])
+    try:
+        figures, lines = run(options)
+    except (barn.WorldSetError, drive_runs.DriveError) as error:
+        print("benchmark: {}".format(error), file=sys.stderr)
+        return 1
+    print("\n".join(lines))
     if options.json:
         with open(options.json, "w") as file:
             json.dump(figures, file, indent=2)
@@ -76,7 +167,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except KeyboardInterrupt:
-        sys.exit(130)
+    sys.exit(main())

@@ -19,7 +19,12 @@ struct DriveTask {
   Pose2D goal;  ///< in the world's frame, which is also the map's.
   SimulationParameters simulation;
   StackParameters stack;
-  double time_limit = 100.0;  ///< s of simulated time.
+  double time_limit = 100.0;  ///< s, counted as the drive's time is.
+  /// m from the goal at which a robot counts as there, whatever it thinks; 0:
+  /// it ends the drive itself.
+  double finish_radius = 0.0;
+  /// m that the robot has to be from its start for its time to begin.
+  double start_distance = 0.0;
 };
 
 /// The state of a drive at the time of a scan.
@@ -36,7 +41,7 @@ struct DriveResult {
   std::string
       outcome;  ///< success, collision, timeout, or the navigator's own.
   std::string message;
-  double time = 0.0;           ///< s from the start to the end of the drive.
+  double time = 0.0;           ///< s; see DriveTask::start_distance.
   double path = 0.0;           ///< m driven.
   double min_clearance = 0.0;  ///< m between footprint and anything solid.
   int replans = 0;

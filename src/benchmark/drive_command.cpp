@@ -26,6 +26,10 @@ po::options_description Options() {
   add("noise", po::value<std::string>()->default_value("clean"), "preset");
   add("seed", po::value<std::uint32_t>()->default_value(1), "of all chance");
   add("time-limit", po::value<double>()->default_value(100.0), "s");
+  add("finish-radius", po::value<double>()->default_value(0.0),
+      "m from the goal that count as there; 0: as the robot says");
+  add("start-distance", po::value<double>()->default_value(0.0),
+      "m from the start at which time begins");
   add("trace", po::value<std::string>(), "CSV file for the drive's course");
   return options;
 }
@@ -63,6 +67,8 @@ DriveTask TaskFrom(const po::variables_map& options) {
   task.simulation.noise = NoisePreset(options["noise"].as<std::string>());
   task.simulation.seed = options["seed"].as<std::uint32_t>();
   task.time_limit = options["time-limit"].as<double>();
+  task.finish_radius = options["finish-radius"].as<double>();
+  task.start_distance = options["start-distance"].as<double>();
   return task;
 }
 

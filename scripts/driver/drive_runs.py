@@ -1,0 +1,119 @@
+"""Many drives of the benchmark program: in parallel, with progress, and kept, so
+that a run that was cut short goes on where it was."""
+
+import concurrent.futures
+import hashlib
+import json
+import os
+import subprocess
+from dataclasses import dataclass
+from typing import Dict, Tuple
+
+from driver import scene
+
+PROGRAM = os.path.join(scene.OUTPUT, "devel", "lib", "vfh_astar",
+                       "vfh_astar_benchmark")
+_STORE = os.path.join(scene.OUTPUT, "benchmark")
+
+
+class DriveError(Exception):
+    """A drive gave no result; the message says why."""
+
+
+@dataclass(frozen=True)
+class DriveRun:
+    """One drive: what its result is called by, the files it reads and its
+    options."""
+
+    labels: Tuple[Tuple[str, object], ...]  # such as ("world", 11), ("run", 0)
+    world: str
+    config: str
+    options: Tuple[str, ...] = ()
+
+    def command(self):
+        return [PROGRAM, "drive", "--world", self.world, "--config",
+                self.config, *self.options]
+
+
+def perform(run):
+    """The drive's figures with its labels before them."""
+    done = subprocess.run(run.command(), stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE)
+    if done.returncode != 0:
+        raise DriveError("{}: {}".format(
+            " ".join(run.command()),
+            done.stderr.decode().strip() or "status {}".format(
+                done.returncode)))
+    return {**dict(run.labels), **json.loads(done.stdout.decode())}
+
+
+class RunStore:
+    """Keeps the results of one set of runs in a file until the set is complete.
+    The file is the set's own: other runs, files or another build have another.
+    """
+
+    def __init__(self, runs, folder=_STORE):
+        self._file = os.path.join(folder, self._digest(runs) + ".jsonl")
+
+    @staticmethod
+    def _digest(runs):
+        digest = hashlib.sha256()
+        files = {PROGRAM}
+        for run in runs:
+            files |= {run.world, run.config}
+            digest.update(repr(run).encode())
+        for file in sorted(files):
+            with open(file, "rb") as content:
+                digest.update(content.read())
+        return digest.hexdigest()[:16]
+
+    def load(self) -> Dict[int, dict]:
+        """{the run's place in the set: its result}"""
+        if not os.path.exists(self._file):
+            return {}
+        with open(self._file, "r+b") as content:
+            lines = content.read()
+            # The last line may have been cut off; the next has to stand alone.
+            whole = lines.rfind(b"\n") + 1
+            content.truncate(whole)
+        return dict(json.loads(line) for line in lines[:whole].splitlines())
+
+    def add(self, place, result):
+        os.makedirs(os.path.dirname(self._file), exist_ok=True)
+        with open(self._file, "a") as lines:
+            lines.write(json.dumps([place, result]) + "\n")
+
+    def clear(self):
+        if os.path.exists(self._file):
+            os.remove(self._file)
+
+
+def perform_all(runs, jobs, store=None, perform_one=perform):
+    """The results of all runs, in their order. Shows a progress bar on a
+    terminal's error stream.
+
+    jobs: processes at a time.
+    store: RunStore; one for these runs where not given.
+    Raises DriveError after the first run without a result; what was done by
+    then is kept.
+    """
+    from tqdm import tqdm
+    store = store or RunStore(runs)
+    results = store.load()
+    bar = tqdm(total=len(runs), initial=len(results), unit="run", ncols=79,
+               disable=None)
+    with concurrent.futures.ThreadPoolExecutor(jobs) as executor, bar:
+        waiting = {executor.submit(perform_one, run): place
+                   for place, run in enumerate(runs) if place not in results}
+        try:
+            for future in concurrent.futures.as_completed(waiting):
+                place = waiting[future]
+                results[place] = future.result()
+                store.add(place, results[place])
+                bar.update()
+        except BaseException:
+            for future in waiting:
+                future.cancel()
+            raise
+    store.clear()
+    return [results[place] for place in range(len(runs))]

@@ -1,0 +1,89 @@
+import os
+import tempfile
+import unittest
+
+from driver import drive_runs
+from driver.drive_runs import DriveRun, RunStore
+
+
+class DriveRunsTest(unittest.TestCase):
+
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self._folder.cleanup)
+        self.world = os.path.join(self._folder.name, "world")
+        self.config = os.path.join(self._folder.name, "config")
+        for file in (self.world, self.config):
+            with open(file, "w") as content:
+                content.write(file)
+        # What the digest reads in the program's place.
+        self.addCleanup(setattr, drive_runs, "PROGRAM", drive_runs.PROGRAM)
+        drive_runs.PROGRAM = self.world
+        self.runs = [DriveRun((("run", i),), self.world, self.config)
+                     for i in range(5)]
+
+    def store(self):
+        return RunStore(self.runs, os.path.join(self._folder.name, "store"))
+
+    def perform_all(self, perform):
+        return drive_runs.perform_all(self.runs, 1, self.store(), perform)
+
+    def test_results_keep_their_order(self):
+        self.assertEqual(self.perform_all(lambda run: dict(run.labels)),
+                         [{"run": i} for i in range(5)])
+
+    def test_goes_on_where_it_was_cut_short(self):
+        done = []
+
+        def fail_at_three(run):
+            if run.labels[0][1] == 3:
+                raise drive_runs.DriveError("killed")
+            done.append(run.labels[0][1])
+            return dict(run.labels)
+
+        with self.assertRaisesRegex(drive_runs.DriveError, "killed"):
+            self.perform_all(fail_at_three)
+        kept = self.store().load()
+        self.assertLessEqual({0, 1, 2}, set(kept))
+
+        done_again = []
+
+        def perform(run):
+            done_again.append(run.labels[0][1])
+            return dict(run.labels)
+
+        self.assertEqual(len(self.perform_all(perform)), 5)
+        self.assertEqual(set(done_again), set(range(5)) - set(kept))
+        # A complete set is forgotten.
+        self.assertEqual(self.store().load(), {})
+
+    def test_a_line_that_was_cut_off_does_not_count(self):
+        store = self.store()
+        store.add(0, {"time_s": 1.5})
+        store.add(1, {"time_s": 2.5})
+        file = os.path.join(self._folder.name, "store",
+                            os.listdir(os.path.join(self._folder.name,
+                                                    "store"))[0])
+        with open(file) as lines:
+            text = lines.read()
+        with open(file, "w") as lines:
+            lines.write(text[:-5])
+        self.assertEqual(store.load(), {0: {"time_s": 1.5}})
+        store.add(2, {"time_s": 3.5})
+        self.assertEqual(store.load(), {0: {"time_s": 1.5},
+                                        2: {"time_s": 3.5}})
+
+    def test_other_files_are_another_set(self):
+        self.store().add(0, {})
+        with open(self.config, "a") as content:
+            content.write("changed")
+        self.assertEqual(self.store().load(), {})
+
+    def test_a_failed_drive_says_why(self):
+        drive_runs.PROGRAM = "/bin/false"
+        with self.assertRaisesRegex(drive_runs.DriveError, "status 1"):
+            drive_runs.perform(self.runs[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
