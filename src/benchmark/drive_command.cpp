@@ -1,10 +1,7 @@
 #include "benchmark/drive_command.h"
 
 #include <algorithm>
-#include <boost/program_options.hpp>
 #include <fstream>
-#include <iostream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "benchmark/drive.h"
@@ -56,7 +53,7 @@ DriveTask TaskFrom(const po::variables_map& options) {
   } else if (task.world.goal) {
     task.goal = *task.world.goal;
   } else {
-    throw std::invalid_argument("the world suggests no goal; expected --goal");
+    throw OptionError("the world suggests no goal; expected --goal");
   }
   if (options.count("config") != 0) {
     task.stack = LoadStackParameters(options["config"].as<std::string>());
@@ -66,9 +63,9 @@ DriveTask TaskFrom(const po::variables_map& options) {
   task.simulation.laser = LaserPreset(options["laser"].as<std::string>());
   task.simulation.noise = NoisePreset(options["noise"].as<std::string>());
   task.simulation.seed = options["seed"].as<std::uint32_t>();
-  task.time_limit = options["time-limit"].as<double>();
-  task.finish_radius = options["finish-radius"].as<double>();
-  task.start_distance = options["start-distance"].as<double>();
+  task.time_limit = NumberOption(options, "time-limit", 0.1, 1e5);
+  task.finish_radius = NumberOption(options, "finish-radius", 0.0, 1e3);
+  task.start_distance = NumberOption(options, "start-distance", 0.0, 1e3);
   return task;
 }
 
@@ -106,26 +103,16 @@ nlohmann::json ToJson(const DriveResult& result) {
   return json;
 }
 
-}  // namespace
-
-int RunDriveCommand(const std::vector<std::string>& arguments) {
-  po::variables_map options;
-  DriveTask task;
-  try {
-    po::store(po::command_line_parser(arguments).options(Options()).run(),
-              options);
-    po::notify(options);
-    task = TaskFrom(options);
-  } catch (const std::logic_error& error) {
-    std::cerr << "drive: " << error.what() << "\n" << Options();
-    return 2;
-  }
-  const DriveResult result = Drive(task);
+nlohmann::json Run(const po::variables_map& options) {
+  const DriveResult result = Drive(TaskFrom(options));
   if (options.count("trace") != 0) {
     WriteTrace(options["trace"].as<std::string>(), result);
   }
-  std::cout << ToJson(result).dump(2) << "\n";
-  return 0;
+  return ToJson(result);
 }
+
+}  // namespace
+
+Command DriveCommand() { return {"drive", Options(), Run}; }
 
 }  // namespace vfh_astar

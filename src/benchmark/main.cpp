@@ -1,34 +1,75 @@
 #include <exception>
-#include <functional>
 #include <iostream>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "benchmark/command.h"
 #include "benchmark/drive_command.h"
 #include "benchmark/planner_command.h"
 #include "benchmark/simulator_command.h"
 
-int main(int argc, char** argv) {
-  using Command = std::function<int(const std::vector<std::string>&)>;
-  const std::map<std::string, Command> commands = {
-      {"drive", vfh_astar::RunDriveCommand},
-      {"planner", vfh_astar::RunPlannerCommand},
-      {"simulator", vfh_astar::RunSimulatorCommand},
+namespace {
+
+namespace po = boost::program_options;
+using vfh_astar::Command;
+
+std::vector<Command> Commands() {
+  return {vfh_astar::DriveCommand(), vfh_astar::PlannerCommand(),
+          vfh_astar::SimulatorCommand()};
+}
+
+int FailUsage(const std::string& program) {
+  std::cerr << "usage: " << program << " COMMAND [OPTION ...]\ncommands:";
+  for (const Command& command : Commands()) std::cerr << ' ' << command.name;
+  std::cerr << "\n";
+  return 2;
+}
+
+/// @return false when help was asked for and given instead.
+bool Parse(Command& command, const std::vector<std::string>& arguments,
+           po::variables_map* given) {
+  command.options.add_options()("help,h", "print this");
+  po::store(po::command_line_parser(arguments).options(command.options).run(),
+            *given);
+  if (given->count("help") != 0) {
+    std::cout << "usage: " << command.name << " [OPTION ...]\n"
+              << command.options;
+    return false;
+  }
+  po::notify(*given);
+  return true;
+}
+
+/// @return the exit status: 0 when there are figures, whatever they are; 1 for
+///   a failure; 2 for unusable arguments.
+int Run(Command& command, const std::vector<std::string>& arguments) {
+  const auto fail = [&command](const std::exception& error, int status) {
+    std::cerr << command.name << ": " << error.what() << "\n";
+    if (status == 2) std::cerr << command.options;
+    return status;
   };
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto command =
-      arguments.empty() ? commands.end() : commands.find(arguments.front());
-  if (command == commands.end()) {
-    std::cerr << "usage: " << argv[0] << " COMMAND [OPTION ...]\ncommands:";
-    for (const auto& [name, run] : commands) std::cerr << ' ' << name;
-    std::cerr << "\n";
-    return 2;
-  }
   try {
-    return command->second({arguments.begin() + 1, arguments.end()});
+    po::variables_map given;
+    if (!Parse(command, arguments, &given)) return 0;
+    std::cout << command.run(given).dump(2) << "\n";
+    return 0;
+  } catch (const po::error& error) {
+    return fail(error, 2);
+  } catch (const vfh_astar::OptionError& error) {
+    return fail(error, 2);
   } catch (const std::exception& error) {
-    std::cerr << command->first << ": " << error.what() << "\n";
-    return 1;
+    return fail(error, 1);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) return FailUsage(argv[0]);
+  for (Command& command : Commands()) {
+    if (command.name == argv[1]) {
+      return Run(command, std::vector<std::string>(argv + 2, argv + argc));
+    }
+  }
+  return FailUsage(argv[0]);
 }

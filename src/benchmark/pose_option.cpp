@@ -1,7 +1,8 @@
 #include "benchmark/pose_option.h"
 
 #include <sstream>
-#include <stdexcept>
+
+#include "benchmark/command.h"
 
 namespace vfh_astar {
 
@@ -12,8 +13,7 @@ Pose2D ParsePoseOption(const std::string& option, const std::string& text) {
   std::istringstream stream(text);
   stream >> pose.x >> comma1 >> pose.y >> comma2 >> pose.theta;
   if (!stream || comma1 != ',' || comma2 != ',' || !stream.eof()) {
-    throw std::invalid_argument("--" + option + " is '" + text +
-                                "'; expected X,Y,YAW");
+    throw OptionError("--" + option + " is '" + text + "'; expected X,Y,YAW");
   }
   return pose;
 }

@@ -10,7 +10,7 @@ namespace vfh_astar {
 /// Reads a pose from the command line.
 /// @param[in] option its name, for the message.
 /// @param[in] text X,Y,YAW (m, m, rad).
-/// @throws std::invalid_argument
+/// @throws OptionError
 Pose2D ParsePoseOption(const std::string& option, const std::string& text);
 
 }  // namespace vfh_astar

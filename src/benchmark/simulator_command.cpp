@@ -1,11 +1,5 @@
 #include "benchmark/simulator_command.h"
 
-#include <boost/program_options.hpp>
-#include <iostream>
-#include <nlohmann/json.hpp>
-#include <sstream>
-#include <stdexcept>
-
 #include "benchmark/pose_option.h"
 #include "benchmark/simulator_benchmark.h"
 
@@ -31,28 +25,13 @@ po::options_description Options() {
   return options;
 }
 
-template <typename T>
-T Read(const po::variables_map& options, const std::string& name, T min,
-       T max) {
-  const T value = options[name].as<T>();
-  // Written so that NaN fails.
-  if (min <= value && value <= max) return value;
-  std::ostringstream message;
-  message << "--" << name << " is " << value << "; expected " << min << " to "
-          << max;
-  throw std::invalid_argument(message.str());
-}
-
-SimulatorBenchmarkOptions Parse(const std::vector<std::string>& arguments) {
-  po::variables_map given;
-  po::store(po::command_line_parser(arguments).options(Options()).run(), given);
-  po::notify(given);
+SimulatorBenchmarkOptions Read(const po::variables_map& given) {
   SimulatorBenchmarkOptions options;
-  options.robots = Read(given, "robots", 1, 100);
-  options.beams = Read(given, "beams", 2, 100000);
-  options.scan_rate = Read(given, "scan-rate", 0.1, 500.0);
-  options.seconds = Read(given, "seconds", 0.1, 1e5);
-  options.cylinders = Read(given, "cylinders", 0, 100000);
+  options.robots = NumberOption(given, "robots", 1, 1000);
+  options.beams = NumberOption(given, "beams", 2, 100000);
+  options.scan_rate = NumberOption(given, "scan-rate", 0.1, 500.0);
+  options.seconds = NumberOption(given, "seconds", 0.1, 1e5);
+  options.cylinders = NumberOption(given, "cylinders", 0, 100000);
   if (given.count("world") != 0) {
     options.world = given["world"].as<std::string>();
   }
@@ -62,22 +41,15 @@ SimulatorBenchmarkOptions Parse(const std::vector<std::string>& arguments) {
   return options;
 }
 
+nlohmann::json Run(const po::variables_map& given) {
+  const SimulatorFigures figures = RunSimulatorBenchmark(Read(given));
+  return {{"realtime_factor", figures.realtime_factor},
+          {"rays_per_s", figures.rays_per_s},
+          {"steps_per_s", figures.steps_per_s}};
+}
+
 }  // namespace
 
-int RunSimulatorCommand(const std::vector<std::string>& arguments) {
-  SimulatorBenchmarkOptions options;
-  try {
-    options = Parse(arguments);
-  } catch (const std::logic_error& error) {
-    std::cerr << "simulator: " << error.what() << "\n" << Options();
-    return 2;
-  }
-  const SimulatorFigures figures = RunSimulatorBenchmark(options);
-  const nlohmann::json json = {{"realtime_factor", figures.realtime_factor},
-                               {"rays_per_s", figures.rays_per_s},
-                               {"steps_per_s", figures.steps_per_s}};
-  std::cout << json.dump(2) << "\n";
-  return 0;
-}
+Command SimulatorCommand() { return {"simulator", Options(), Run}; }
 
 }  // namespace vfh_astar
