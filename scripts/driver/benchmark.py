@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 
-from driver import barn, drive_runs, poses, scene
+from driver import barn, drive_runs, paper_scenes, poses, scene
 
 # What the benchmark program does in one run, with options of its own.
 _PROGRAM_COMMANDS = {
@@ -66,8 +66,11 @@ def make_parser():
                         help="the goal lies 10 m ahead along y (-2,3,1.57)")
     dynamic = commands.add_parser("dynabarn",
                                   help="drives through DynaBARN's worlds")
+    paper = commands.add_parser("paper", help="drives through the paper's "
+                                "scenes with its configuration and the usual one")
     for command in (static, dynamic):
         _add_world_options(command)
+    for command in (static, dynamic, paper):
         _add_run_options(command, 1)
     for command in commands.choices.values():
         command.add_argument("--json", metavar="FILE",
@@ -119,6 +122,11 @@ def run_dynabarn(options):
     return barn.summary(drive_runs.perform_all(runs, options.jobs))
 
 
+def run_paper(options):
+    return paper_scenes.summary(drive_runs.perform_all(
+        paper_scenes.runs(options.runs), options.jobs))
+
+
 def table(figures):
     """One line for each figure, its name as in the JSON file."""
     width = max(map(len, figures))
@@ -135,14 +143,12 @@ def _text(value):
 
 def run(options):
     """The figures of a command, and the lines of its table."""
-    if options.command == "barn":
-        figures = run_barn(options)
-        return figures, barn.table(figures)
-    if options.command == "dynabarn":
-        figures = run_dynabarn(options)
-        return figures, barn.table(figures)
-    figures = run_program(options)
-    return figures, table(figures)
+    commands = {"barn": (run_barn, barn.table),
+                "dynabarn": (run_dynabarn, barn.table),
+                "paper": (run_paper, paper_scenes.table)}
+    perform, make_table = commands.get(options.command, (run_program, table))
+    figures = perform(options)
+    return figures, make_table(figures)
 
 
 def _end_on_signal(number, _):

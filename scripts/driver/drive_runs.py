@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 from dataclasses import dataclass
-from typing import Dict, Tuple
+from typing import Dict, Optional, Tuple
 
 from driver import scene
 
@@ -26,13 +26,14 @@ class DriveRun:
     options."""
 
     labels: Tuple[Tuple[str, object], ...]  # such as ("world", 11), ("run", 0)
-    world: str
+    world: Optional[str]  # None where the options make one
     config: str
     options: Tuple[str, ...] = ()
 
     def command(self):
-        return [PROGRAM, "drive", "--world", self.world, "--config",
-                self.config, *self.options]
+        world = [] if self.world is None else ["--world", self.world]
+        return [PROGRAM, "drive", *world, "--config", self.config,
+                *self.options]
 
 
 def perform(run):
@@ -60,7 +61,7 @@ class RunStore:
         digest = hashlib.sha256()
         files = {PROGRAM}
         for run in runs:
-            files |= {run.world, run.config}
+            files |= {run.config} | ({run.world} - {None})
             digest.update(repr(run).encode())
         for file in sorted(files):
             with open(file, "rb") as content:

@@ -28,8 +28,12 @@ class Measurement {
     min_clearance_ = std::min(min_clearance_, simulation.Clearance(0));
   }
 
-  void AddCycle(const NavigatorStatus& status) {
+  void AddCycle(const NavigatorStatus& status, const Pose2D& pose) {
     if (status.state != State::kTracking) return;
+    if (status.reference) {
+      true_squared_error_ +=
+          (status.reference->pose.position() - pose.position()).squaredNorm();
+    }
     const double error = status.error.head<2>().norm();
     squared_error_ += error * error;
     max_error_ = std::max(max_error_, error);
@@ -40,7 +44,9 @@ class Measurement {
     result->path = path_;
     result->min_clearance = min_clearance_;
     result->max_error = max_error_;
-    if (cycles_ > 0) result->rms_error = std::sqrt(squared_error_ / cycles_);
+    if (cycles_ == 0) return;
+    result->rms_error = std::sqrt(squared_error_ / cycles_);
+    result->true_rms_error = std::sqrt(true_squared_error_ / cycles_);
   }
 
  private:
@@ -48,6 +54,7 @@ class Measurement {
   double path_ = 0.0;
   double min_clearance_ = std::numeric_limits<double>::infinity();
   double squared_error_ = 0.0;
+  double true_squared_error_ = 0.0;
   double max_error_ = 0.0;
   int cycles_ = 0;
 };
@@ -83,6 +90,7 @@ class Referee {
 DriveResult Drive(const DriveTask& task) {
   Simulation simulation(task.world, task.simulation);
   NavigationStack stack(task.stack, task.world.robots.front().pose);
+  if (task.course) stack.SetCourse(*task.course);
   stack.SetGoal(task.goal);
 
   DriveResult result;
@@ -108,7 +116,7 @@ DriveResult Drive(const DriveTask& task) {
     if (!events.scan) continue;
     const NavigatorOutput output = stack.Update(SensingOf(simulation));
     if (output.command) simulation.SetCommand(0, *output.command);
-    measurement.AddCycle(output.status);
+    measurement.AddCycle(output.status, simulation.TruePose(0));
     result.replans = output.status.replans;
     result.samples.push_back({simulation.time(), simulation.TruePose(0),
                               output.status.pose, simulation.TrueTwist(0),
@@ -120,6 +128,8 @@ DriveResult Drive(const DriveTask& task) {
       break;
     }
   }
+  result.goal_heading_error =
+      NormalizeAngle(simulation.TruePose(0).theta - task.goal.theta);
   measurement.WriteTo(&result);
   return result;
 }

@@ -19,7 +19,8 @@ struct DriveTask {
   Pose2D goal;  ///< in the world's frame, which is also the map's.
   SimulationParameters simulation;
   StackParameters stack;
-  double time_limit = 100.0;  ///< s, counted as the drive's time is.
+  double time_limit = 100.0;         ///< s, counted as the drive's time is.
+  std::optional<Trajectory> course;  ///< see NavigationStack::SetCourse.
   /// m from the goal at which a robot counts as there, whatever it thinks; 0:
   /// it ends the drive itself.
   double finish_radius = 0.0;
@@ -45,8 +46,11 @@ struct DriveResult {
   double path = 0.0;           ///< m driven.
   double min_clearance = 0.0;  ///< m between footprint and anything solid.
   int replans = 0;
-  double rms_error = 0.0;  ///< m, of the tracked position, while tracking.
-  double max_error = 0.0;  ///< m, likewise.
+  double rms_error = 0.0;       ///< m, of the tracked position, while tracking.
+  double max_error = 0.0;       ///< m, likewise.
+  double true_rms_error = 0.0;  ///< m, likewise, of the true position: what
+                                ///< localisation errs counts too.
+  double goal_heading_error = 0.0;  ///< rad, of the true heading at the end.
   std::optional<Collision> collision;
   std::vector<DriveSample> samples;
 };

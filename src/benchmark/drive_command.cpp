@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "benchmark/drive.h"
+#include "benchmark/figure_eight.h"
 #include "benchmark/pose_option.h"
 
 namespace vfh_astar {
@@ -15,7 +16,9 @@ namespace po = boost::program_options;
 po::options_description Options() {
   po::options_description options("drive");
   auto add = options.add_options();
-  add("world", po::value<std::string>()->required(), "world or map file");
+  add("world", po::value<std::string>(), "world or map file");
+  add("figure-eight", po::value<double>(),
+      "m/s: a lap of this speed in an empty world, instead of a world");
   add("start", po::value<std::string>(), "X,Y,YAW (m, rad)");
   add("goal", po::value<std::string>(), "X,Y,YAW (m, rad)");
   add("config", po::value<std::string>(), "parameters of the stack");
@@ -41,25 +44,45 @@ void MakeRoom(const Pose2D& pose, GridMapperParameters* mapper) {
   mapper->ymax = std::max(mapper->ymax, pose.y + kRoom);
 }
 
-DriveTask TaskFrom(const po::variables_map& options) {
-  DriveTask task;
-  task.world = LoadWorld(options["world"].as<std::string>());
+/// The world with its start and goal.
+void ReadScene(const po::variables_map& options, DriveTask* task) {
+  if (options.count("world") == 0) {
+    throw OptionError("expected --world or --figure-eight");
+  }
+  task->world = LoadWorld(options["world"].as<std::string>());
   if (options.count("start") != 0) {
-    task.world.robots.front().pose =
+    task->world.robots.front().pose =
         ParsePoseOption("start", options["start"].as<std::string>());
   }
   if (options.count("goal") != 0) {
-    task.goal = ParsePoseOption("goal", options["goal"].as<std::string>());
-  } else if (task.world.goal) {
-    task.goal = *task.world.goal;
+    task->goal = ParsePoseOption("goal", options["goal"].as<std::string>());
+  } else if (task->world.goal) {
+    task->goal = *task->world.goal;
   } else {
     throw OptionError("the world suggests no goal; expected --goal");
   }
+  MakeRoom(task->world.robots.front().pose, &task->stack.mapper);
+  MakeRoom(task->goal, &task->stack.mapper);
+}
+
+/// An empty world with a figure eight to be driven in it.
+void SetFigureEight(double speed, DriveTask* task) {
+  task->world.name = "figure_eight";
+  task->world.robots = {{"robot_1", FigureEightStart()}};
+  task->goal = FigureEightStart();
+  task->course = FigureEight(speed, task->stack.fitter.limits);
+}
+
+DriveTask TaskFrom(const po::variables_map& options) {
+  DriveTask task;
   if (options.count("config") != 0) {
     task.stack = LoadStackParameters(options["config"].as<std::string>());
   }
-  MakeRoom(task.world.robots.front().pose, &task.stack.mapper);
-  MakeRoom(task.goal, &task.stack.mapper);
+  if (options.count("figure-eight") == 0) {
+    ReadScene(options, &task);
+  } else {
+    SetFigureEight(NumberOption(options, "figure-eight", 0.05, 10.0), &task);
+  }
   task.simulation.laser = LaserPreset(options["laser"].as<std::string>());
   task.simulation.noise = NoisePreset(options["noise"].as<std::string>());
   task.simulation.seed = options["seed"].as<std::uint32_t>();
@@ -87,14 +110,17 @@ void WriteTrace(const std::string& file, const DriveResult& result) {
 }
 
 nlohmann::json ToJson(const DriveResult& result) {
-  nlohmann::json json = {{"outcome", result.outcome},
-                         {"message", result.message},
-                         {"time_s", result.time},
-                         {"path_m", result.path},
-                         {"min_clearance_m", result.min_clearance},
-                         {"replans", result.replans},
-                         {"rms_error_m", result.rms_error},
-                         {"max_error_m", result.max_error}};
+  nlohmann::json json = {
+      {"outcome", result.outcome},
+      {"message", result.message},
+      {"time_s", result.time},
+      {"path_m", result.path},
+      {"min_clearance_m", result.min_clearance},
+      {"replans", result.replans},
+      {"rms_error_m", result.rms_error},
+      {"max_error_m", result.max_error},
+      {"true_rms_error_m", result.true_rms_error},
+      {"goal_heading_error_deg", result.goal_heading_error * 180.0 / kPi}};
   if (result.collision) {
     json["collision"] = {{"time_s", result.collision->time},
                          {"with", result.collision->with},

@@ -63,6 +63,16 @@ void NavigationStack::Answer(const MotionRequest& request) {
   navigator_.SetTrajectory(request.id, std::move(fit.trajectory));
 }
 
+void NavigationStack::AnswerWithCourse(const MotionRequest& request) {
+  if (!trajectory_.empty()) {
+    navigator_.PlanFailed(request.id, Outcome::kNoTrajectory,
+                          "the course was left");
+    return;
+  }
+  trajectory_ = *course_;
+  navigator_.SetTrajectory(request.id, *course_);
+}
+
 NavigatorOutput NavigationStack::Update(const Sensing& sensing) {
   InsertScan(sensing);
   NavigatorInput input;
@@ -75,7 +85,11 @@ NavigatorOutput NavigationStack::Update(const Sensing& sensing) {
   input.base_from_laser = sensing.base_from_laser;
   input.map = &clearance_;
   NavigatorOutput output = navigator_.Update(input);
-  if (output.request) Answer(*output.request);
+  if (output.request && course_) {
+    AnswerWithCourse(*output.request);
+  } else if (output.request) {
+    Answer(*output.request);
+  }
   return output;
 }
 

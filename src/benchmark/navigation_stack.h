@@ -45,6 +45,10 @@ class NavigationStack {
 
   void SetGoal(const Pose2D& goal) { navigator_.SetGoal("goal", goal); }
 
+  /// Drives this trajectory instead of what planner and fitter would find.
+  /// There is no other: a robot that leaves it fails.
+  void SetCourse(const Trajectory& course) { course_ = course; }
+
   /// One cycle at the time of a scan.
   NavigatorOutput Update(const Sensing& sensing);
 
@@ -56,6 +60,7 @@ class NavigationStack {
  private:
   void InsertScan(const Sensing& sensing);
   void Answer(const MotionRequest& request);
+  void AnswerWithCourse(const MotionRequest& request);
 
   GridMapper mapper_;
   PathPlanner planner_;
@@ -65,6 +70,7 @@ class NavigationStack {
   Pose2D map_from_odom_;
   std::vector<Eigen::Vector2d> path_;
   Trajectory trajectory_;
+  std::optional<Trajectory> course_;
 };
 
 }  // namespace vfh_astar
