@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "benchmark/drive_command.h"
+#include "benchmark/mapping_command.h"
 #include "benchmark/planner_command.h"
 #include "benchmark/simulator_command.h"
 
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   using Command = std::function<int(const std::vector<std::string>&)>;
   const std::map<std::string, Command> commands = {
       {"drive", vfh_astar::RunDriveCommand},
+      {"mapping", vfh_astar::RunMappingCommand},
       {"planner", vfh_astar::RunPlannerCommand},
       {"simulator", vfh_astar::RunSimulatorCommand},
   };
