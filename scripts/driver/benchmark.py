@@ -13,6 +13,7 @@ from driver import barn, drive_runs, paper_scenes, poses, scene
 # What the benchmark program does in one run, with options of its own.
 _PROGRAM_COMMANDS = {
     "drive": "one drive in one world",
+    "mapping": "the map and the poses made of a CARMEN log",
     "planner": "the path search over scenarios of the MovingAI benchmark",
     "simulator": "the simulator's speed",
 }

@@ -1,0 +1,184 @@
+#include "vfh_astar/mapping/loop_closer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vfh_astar/mapping/correlative_search.h"
+
+namespace vfh_astar {
+namespace {
+
+// The wide search is dear, and neighbouring scans find the same.
+constexpr int kFarEvery = 3;       // scans
+constexpr double kFarPath = 5.0;   // m of path since the last loop
+constexpr double kFarAngle = 0.3;  // rad
+constexpr int kFarSubmap = 10;     // scans to both sides of an old one
+constexpr int kFarScans = 8;       // newest ones, taken together
+constexpr std::size_t kFarPoints = 400;
+constexpr double kSlack = 0.5;  // m, of the wide search at least
+constexpr int kFewestNear = 3;  // old scans, to match against
+
+// What a candidate loses at the edge of its window.
+constexpr double kEdgePenalty = 0.02;
+
+/// The newest scans as one, in the frame of the newest.
+std::vector<Eigen::Vector2d> NewestPoints(const std::vector<SlamNode>& nodes,
+                                          const std::vector<Pose2D>& poses) {
+  std::vector<Eigen::Vector2d> all;
+  const std::size_t count = nodes.size();
+  for (std::size_t i = count > kFarScans ? count - 1 - kFarScans : 0; i < count;
+       ++i) {
+    const Pose2D relative = poses.back().Inverse() * poses[i];
+    for (const Eigen::Vector2d& point : nodes[i].points) {
+      all.push_back(relative * point);
+    }
+  }
+  if (all.size() <= kFarPoints) return all;
+  std::vector<Eigen::Vector2d> chosen;
+  for (std::size_t i = 0; i < kFarPoints; ++i) {
+    chosen.push_back(all[i * all.size() / kFarPoints]);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void LoopCloserParameters::Read(ParameterReader& reader) {
+  reader.Integer("recent_scans", recent_scans, 1, 1000);
+  reader.Number("submap_gain", submap_gain, 0.05, 1.0);
+  reader.Integer("gap_scans", gap_scans, 1, 10000);
+  reader.Number("gap_distance", gap_distance, 0.0, 1000.0);
+  reader.Number("near_radius", near_radius, 0.1, 100.0);
+  reader.Integer("near_scans", near_scans, 1, 1000);
+  reader.Number("near_window", near_window, 0.05, 5.0);
+  reader.Number("near_angle", near_angle, 0.01, kPi);
+  reader.Number("near_path", near_path, 0.0, 1000.0);
+  reader.Number("least_fit", least_fit, 0.05, 1.0);
+  reader.Number("drift", drift, 0.0, 0.5);
+  reader.Number("widest_window", widest_window, 0.5, 30.0);
+  reader.Number("loop_weight", loop_weight, 0.001, 1.0);
+}
+
+PoseConstraint LoopCloser::TieToPredecessor(const std::vector<SlamNode>& nodes,
+                                            const std::vector<Pose2D>& poses,
+                                            const PoseBelief& prior,
+                                            const Pose2D& start) const {
+  const int newest = static_cast<int>(nodes.size()) - 1;
+  HitField field = matcher_.MakeField(parameters_.submap_gain);
+  for (int i = std::max(0, newest - parameters_.recent_scans); i < newest;
+       ++i) {
+    field.Add(nodes[i].points, poses[i]);
+  }
+  const Alignment alignment =
+      matcher_.Align(field, nodes[newest].points, start, prior);
+  const Pose2D& from = poses[newest - 1];
+  return {newest - 1, newest, from.Inverse() * alignment.belief.mean,
+          InFrameOf(from, alignment.belief.information), false};
+}
+
+std::optional<PoseConstraint> LoopCloser::FindLoop(
+    const std::vector<SlamNode>& nodes, const std::vector<Pose2D>& poses,
+    const Pose2D& guess) {
+  const double since = nodes.back().path - last_loop_path_;
+  std::optional<PoseConstraint> found;
+  if (since < parameters_.near_path) found = FindNear(nodes, poses, guess);
+  if (!found && since >= kFarPath && nodes.size() % kFarEvery == 0) {
+    found = FindFar(nodes, poses, guess, since);
+  }
+  if (found) last_loop_path_ = nodes.back().path;
+  return found;
+}
+
+bool LoopCloser::IsOld(const std::vector<SlamNode>& nodes, int index) const {
+  return index + parameters_.gap_scans < static_cast<int>(nodes.size()) - 1 &&
+         nodes.back().path - nodes[index].path > parameters_.gap_distance;
+}
+
+std::optional<PoseConstraint> LoopCloser::FindNear(
+    const std::vector<SlamNode>& nodes, const std::vector<Pose2D>& poses,
+    const Pose2D& guess) const {
+  struct Neighbour {
+    double distance;
+    int index;
+  };
+  std::vector<Neighbour> neighbours;
+  for (int i = 0; IsOld(nodes, i); ++i) {
+    const double distance = (poses[i].position() - guess.position()).norm();
+    if (distance > parameters_.near_radius) continue;
+    // Scans taken the same way see the same.
+    constexpr double kTurnDistance = 2.0;  // m per rad
+    neighbours.push_back(
+        {distance + kTurnDistance *
+                        std::abs(NormalizeAngle(poses[i].theta - guess.theta)),
+         i});
+  }
+  if (static_cast<int>(neighbours.size()) < kFewestNear) return std::nullopt;
+  const std::size_t count =
+      std::min<std::size_t>(neighbours.size(), parameters_.near_scans);
+  std::partial_sort(neighbours.begin(), neighbours.begin() + count,
+                    neighbours.end(),
+                    [](const Neighbour& a, const Neighbour& b) {
+                      return a.distance < b.distance ||
+                             (a.distance == b.distance && a.index < b.index);
+                    });
+  HitField field = matcher_.MakeField(parameters_.submap_gain);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int index = neighbours[i].index;
+    field.Add(nodes[index].points, poses[index]);
+  }
+  return Match(field, nodes.back().points, guess, parameters_.near_window,
+               parameters_.near_angle, neighbours.front().index, poses);
+}
+
+std::optional<PoseConstraint> LoopCloser::FindFar(
+    const std::vector<SlamNode>& nodes, const std::vector<Pose2D>& poses,
+    const Pose2D& guess, double path_since_loop) const {
+  const double window = std::min(kSlack + parameters_.drift * path_since_loop,
+                                 parameters_.widest_window);
+  constexpr double kSight = 2.0;  // m that two scans of one place lie apart
+  double nearest = window + kSight;
+  int anchor = -1;
+  for (int i = 0; IsOld(nodes, i); ++i) {
+    const double distance = (poses[i].position() - guess.position()).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    anchor = i;
+  }
+  if (anchor < 0) return std::nullopt;
+  HitField field = matcher_.MakeField(parameters_.submap_gain);
+  for (int i = std::max(0, anchor - kFarSubmap);
+       i <= anchor + kFarSubmap && IsOld(nodes, i); ++i) {
+    field.Add(nodes[i].points, poses[i]);
+  }
+  return Match(field, NewestPoints(nodes, poses), guess, window, kFarAngle,
+               anchor, poses);
+}
+
+std::optional<PoseConstraint> LoopCloser::Match(
+    const HitField& field, const std::vector<Eigen::Vector2d>& points,
+    const Pose2D& guess, double window, double angle, int anchor,
+    const std::vector<Pose2D>& poses) const {
+  SearchWindow search;
+  search.linear = window;
+  search.angular = angle;
+  search.angular_step = matcher_.parameters().angular_step;
+  search.linear_penalty = kEdgePenalty / (window * window);
+  search.angular_penalty = kEdgePenalty / (angle * angle);
+  // Aligned below the cell the fit becomes better than the score.
+  const double least_score = 0.8 * parameters_.least_fit;
+  const std::optional<SearchResult> found =
+      SearchPose(field, points, guess, search, least_score);
+  if (!found) return std::nullopt;
+  const Alignment alignment =
+      matcher_.Align(field, points, found->pose,
+                     PoseBelief{found->pose, Eigen::Matrix3d::Zero()});
+  if (alignment.fit < parameters_.least_fit) return std::nullopt;
+  const Pose2D& from = poses[anchor];
+  return PoseConstraint{
+      anchor, static_cast<int>(poses.size()) - 1,
+      from.Inverse() * alignment.belief.mean,
+      InFrameOf(from, parameters_.loop_weight * alignment.scan_information),
+      true};
+}
+
+}  // namespace vfh_astar
