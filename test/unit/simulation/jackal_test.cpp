@@ -106,6 +106,46 @@ TEST_F(JackalTest, RisesNoFasterThanItsControllerAndSettles) {
   }
 }
 
+TEST(PhysicsWorldTest, BoundsWhereTheyMatterAreAllBounds) {
+  // From smooth driving to spinning tyres, a wall, slippery ground and back.
+  const GroundPatch ice{{MakeDisc({3.0, 0.0}, 0.8)}, 0.1, 200.0};
+  const Shape wall = MakeBox({2.0, 2.5, 0.0}, {10.0, 0.1});
+  std::vector<std::vector<Pose2D>> tracks;
+  for (const auto bounds : {PhysicsWorld::Bounds::kWhereTheyMatter,
+                            PhysicsWorld::Bounds::kAlways}) {
+    PhysicsWorld world(bounds);
+    std::vector<Jackal> robots;
+    robots.reserve(2);
+    robots.emplace_back(&world, JackalModel(), Pose2D(0.0, 0.0, 0.0));
+    // One slides while the other does not, and the other way round.
+    robots.emplace_back(&world, JackalModel(), Pose2D(-5.0, 0.0, 1.0));
+    tracks.emplace_back();
+    for (int i = 0; i < 4000; ++i) {
+      const double time = i * kStep;
+      robots[0].Control({time < 6.0 ? 1.0 : -2.0,
+                         time < 4.0 ? 0.0 : 0.8 * std::sin(5.0 * time)},
+                        kStep);
+      robots[1].Control({0.3, 4.0 * std::sin(time)}, kStep);
+      for (Jackal& robot : robots) {
+        robot.TouchGround({ice});
+        for (const ContactPoint& contact : FindContact(robot.Outline(), wall)) {
+          robot.Touch(contact);
+        }
+      }
+      world.Step(kStep);
+      for (Jackal& robot : robots) {
+        robot.CountWheelTurns(kStep);
+        tracks.back().push_back(robot.pose());
+      }
+    }
+  }
+  for (std::size_t i = 0; i < tracks[0].size(); ++i) {
+    ASSERT_NEAR(tracks[0][i].x, tracks[1][i].x, 1e-7) << i;
+    ASSERT_NEAR(tracks[0][i].y, tracks[1][i].y, 1e-7) << i;
+    ASSERT_NEAR(tracks[0][i].theta, tracks[1][i].theta, 1e-7) << i;
+  }
+}
+
 TEST_F(JackalTest, ReachesItsSpeedInTheTimeThatGripAllows) {
   Drive({2.0, 0.0}, 0.1);
   EXPECT_LT(robot_.twist().v, 1.5 * 9.81 * 0.1)
