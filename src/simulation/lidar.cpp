@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "vfh_astar/simulation/normal_noise.h"
+
 namespace vfh_astar {
 namespace {
 
@@ -44,9 +46,8 @@ void Lidar::Sweep(double stamp, const Pose2D& base, const ShapeIndex& still,
 void Lidar::AddNoise(std::mt19937* random) {
   const double sigma = std::hypot(laser_.sigma, noise_.range_sigma);
   if (sigma > 0.0) {
-    std::normal_distribution<double> error(0.0, sigma);
     for (double& range : ranges_) {
-      if (range <= laser_.range_max) range += error(*random);
+      if (range <= laser_.range_max) range += sigma * DrawNormal(random);
     }
   }
   if (noise_.dropout > 0.0) {
