@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr int kBlock = 16;  ///< beams
+constexpr int kBlock = 8;  ///< beams
 
 /// rad by which Bearing is wrong at most, with some to spare.
 constexpr double kBearingError = 2e-5;
@@ -230,11 +230,15 @@ void BeamFan::CoverAll() {
 
 void BeamFan::NoteDrawn(const Span& span) {
   for (int block = span.first / kBlock; block <= span.last / kBlock; ++block) {
-    const int end =
-        std::min(static_cast<int>(ranges_.size()), (block + 1) * kBlock);
+    const double* const ranges = &ranges_[block * kBlock];
     double farthest = 0.0;
-    for (int beam = block * kBlock; beam < end; ++beam) {
-      farthest = std::max(farthest, ranges_[beam]);
+    if (static_cast<std::size_t>((block + 1) * kBlock) <= ranges_.size()) {
+      // Of a size that the compiler knows.
+      farthest =
+          Eigen::Map<const Eigen::Array<double, kBlock, 1>>(ranges).maxCoeff();
+    } else {
+      farthest = *std::max_element<const double*>(
+          ranges, ranges_.data() + ranges_.size());
     }
     reach_squared_[block] = std::min(range_squared_, farthest * farthest);
   }
