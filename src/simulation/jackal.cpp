@@ -7,10 +7,11 @@
 #include <cstring>
 #include <utility>
 
+#include "robot_bodies.h"
+
 namespace vfh_astar {
 namespace {
 
-constexpr double kGravity = 9.81;          ///< m/s^2
 constexpr double kChassisHeight = 0.0325;  ///< m of its middle above the axles.
 
 /// N with which a touched obstacle holds the chassis back along its face. A
@@ -47,74 +48,24 @@ Grip FindGrip(const std::vector<GroundPatch>& patches,
   return {model.friction, model.tyre_slip_stiffness};
 }
 
-/// ODE wants to be initialised once in a process, and by each thread.
-void InitializeOde() {
-  static const bool initialized = dInitODE2(0) != 0;
-  static_cast<void>(initialized);
-  dAllocateODEDataForThread(dAllocateMaskAll);
-}
-
 }  // namespace
-
-struct PhysicsWorld::Handles {
-  dWorldID world = dWorldCreate();
-  dJointGroupID contacts = dJointGroupCreate(0);
-};
-
-PhysicsWorld::PhysicsWorld() {
-  InitializeOde();
-  handles_ = std::make_unique<Handles>();
-  dWorldSetGravity(handles_->world, 0.0, 0.0, -kGravity);
-  dWorldSetERP(handles_->world, 0.2);
-  dWorldSetCFM(handles_->world, 1e-6);
-}
-
-PhysicsWorld::~PhysicsWorld() {
-  dJointGroupDestroy(handles_->contacts);
-  dWorldDestroy(handles_->world);
-}
-
-void PhysicsWorld::Step(double duration) {
-  dWorldStep(handles_->world, duration);
-  dJointGroupEmpty(handles_->contacts);
-}
-
-struct Jackal::Bodies {
-  dBodyID chassis;
-  std::array<dBodyID, 4> wheels;
-  std::array<dJointID, 4> axles;
-
-  ~Bodies() {
-    for (const dJointID axle : axles) dJointDestroy(axle);
-    for (const dBodyID wheel : wheels) dBodyDestroy(wheel);
-    dBodyDestroy(chassis);
-  }
-};
 
 Jackal::Jackal(PhysicsWorld* world, const JackalModel& model,
                const Pose2D& pose)
-    : world_(world), model_(model), bodies_(std::make_unique<Bodies>()) {
-  const dWorldID ode = world_->handles_->world;
-  bodies_->chassis = dBodyCreate(ode);
-  dMass mass;
-  // Moments of inertia of Clearpath's description.
-  dMassSetParameters(&mass, model_.chassis_mass, 0.0, 0.0, 0.0, 0.3136, 0.3922,
-                     0.4485, 0.0, 0.0, 0.0);
-  dBodySetMass(bodies_->chassis, &mass);
-  for (std::size_t i = 0; i < 4; ++i) {
-    bodies_->wheels[i] = dBodyCreate(ode);
-    constexpr int kAlongY = 2;
-    dMassSetCylinderTotal(&mass, model_.wheel_mass, kAlongY,
-                          model_.wheel_radius, model_.wheel_width);
-    dBodySetMass(bodies_->wheels[i], &mass);
-    bodies_->axles[i] = dJointCreateHinge(ode, nullptr);
-  }
+    : world_(world),
+      model_(model),
+      bodies_(std::make_unique<RobotBodies>(world->handles_->world, model)) {
+  world_->handles_->robots.push_back(bodies_.get());
   Place(pose);
 }
 
-Jackal::~Jackal() = default;
+Jackal::~Jackal() {
+  if (bodies_ == nullptr) return;
+  std::vector<RobotBodies*>& robots = world_->handles_->robots;
+  robots.erase(std::find(robots.begin(), robots.end(), bodies_.get()));
+}
+
 Jackal::Jackal(Jackal&&) noexcept = default;
-Jackal& Jackal::operator=(Jackal&&) noexcept = default;
 
 void Jackal::Place(const Pose2D& pose) {
   dQuaternion turn = {std::cos(0.5 * pose.theta), 0.0, 0.0,
@@ -137,7 +88,6 @@ void Jackal::Place(const Pose2D& pose) {
     dJointAttach(joint, bodies_->chassis, bodies_->wheels[i]);
     dJointSetHingeAnchor(joint, at.x(), at.y(), model_.wheel_radius);
     dJointSetHingeAxis(joint, -left.x(), -left.y(), 0.0);
-    dJointSetHingeParam(joint, dParamFMax, model_.motor_torque);
     dJointSetHingeParam(joint, dParamVel, 0.0);
   }
   command_ = Twist2D();
@@ -169,46 +119,35 @@ void Jackal::TouchGround(const std::vector<GroundPatch>& patches) {
   const double in_plane = std::hypot(ax, ay);
   const double load =
       0.25 * (model_.chassis_mass + 4.0 * model_.wheel_mass) * kGravity;
-  for (const dBodyID wheel : bodies_->wheels) {
+  const Eigen::Vector3d along(ay / in_plane, -ax / in_plane, 0.0);
+  const Eigen::Vector3d across(-along.y(), along.x(), 0.0);
+  const double scale = model_.wheel_radius / in_plane;
+  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+    bodies_->tyres[wheel].reset();
     // The lowest point of the wheel's rim: from its middle, straight down as
     // far as the wheel's plane allows.
-    const dReal* middle = dBodyGetPosition(wheel);
-    const double scale = model_.wheel_radius / in_plane;
-    dContact contact;
-    std::memset(&contact, 0, sizeof(contact));
-    contact.geom.pos[0] = middle[0] + scale * az * ax;
-    contact.geom.pos[1] = middle[1] + scale * az * ay;
-    contact.geom.pos[2] = middle[2] - scale * (1.0 - az * az);
-    contact.geom.depth = -contact.geom.pos[2];
-    if (contact.geom.depth < 0.0) continue;
-    contact.geom.normal[2] = 1.0;
-    contact.fdir1[0] = ay / in_plane;
-    contact.fdir1[1] = -ax / in_plane;
+    const dReal* middle = dBodyGetPosition(bodies_->wheels[wheel]);
+    TyreContact tyre;
+    tyre.point = {middle[0] + scale * az * ax, middle[1] + scale * az * ay,
+                  middle[2] - scale * (1.0 - az * az)};
+    tyre.depth = -tyre.point.z();
+    if (tyre.depth < 0.0) continue;
+    tyre.directions = {along, across};
 
     dVector3 slip;
-    dBodyGetPointVel(wheel, contact.geom.pos[0], contact.geom.pos[1],
-                     contact.geom.pos[2], slip);
-    const double along =
-        slip[0] * contact.fdir1[0] + slip[1] * contact.fdir1[1];
-    const double across =
-        slip[1] * contact.fdir1[0] - slip[0] * contact.fdir1[1];
-    const double speed = std::hypot(along, across);
+    dBodyGetPointVel(bodies_->wheels[wheel], tyre.point.x(), tyre.point.y(),
+                     tyre.point.z(), slip);
+    const double slip_along = slip[0] * along.x() + slip[1] * along.y();
+    const double slip_across = slip[0] * across.x() + slip[1] * across.y();
+    const double speed = std::hypot(slip_along, slip_across);
     // ODE caps the two directions one by one; sharing the cap by the slip's
     // direction makes of the box the circle that friction is.
-    const Grip grip =
-        FindGrip(patches, {contact.geom.pos[0], contact.geom.pos[1]}, model_);
+    const Grip grip = FindGrip(patches, tyre.point.head<2>(), model_);
     const double cap = grip.friction * load;
-    contact.surface.mode = dContactMu2 | dContactFDir1 | dContactSlip1 |
-                           dContactSlip2 | dContactSoftERP | dContactSoftCFM;
-    contact.surface.mu = cap * ShareOfSlip(along, speed);
-    contact.surface.mu2 = cap * ShareOfSlip(across, speed);
-    contact.surface.slip1 = 1.0 / grip.slip_stiffness;
-    contact.surface.slip2 = 1.0 / grip.slip_stiffness;
-    contact.surface.soft_erp = 0.2;
-    contact.surface.soft_cfm = 1e-5;
-    dJointAttach(dJointCreateContact(world_->handles_->world,
-                                     world_->handles_->contacts, &contact),
-                 wheel, nullptr);
+    tyre.most_force = {cap * ShareOfSlip(slip_along, speed),
+                       cap * ShareOfSlip(slip_across, speed)};
+    tyre.slip_stiffness = grip.slip_stiffness;
+    bodies_->tyres[wheel] = tyre;
   }
 }
 
@@ -231,6 +170,8 @@ void Jackal::Touch(const ContactPoint& touched, Jackal* other) {
                                    world_->handles_->contacts, &contact),
                bodies_->chassis,
                other == nullptr ? nullptr : other->bodies_->chassis);
+  bodies_->touches_something = true;
+  if (other != nullptr) other->bodies_->touches_something = true;
 }
 
 Pose2D Jackal::pose() const {

@@ -1,10 +1,12 @@
 #include "vfh_astar/simulation/robot_sensors.h"
 
+#include "vfh_astar/simulation/normal_noise.h"
+
 namespace vfh_astar {
 namespace {
 
 double Gaussian(double sigma, std::mt19937* random) {
-  return sigma == 0.0 ? 0.0 : std::normal_distribution<>(0.0, sigma)(*random);
+  return sigma == 0.0 ? 0.0 : sigma * DrawNormal(random);
 }
 
 }  // namespace

@@ -246,36 +246,6 @@ double Distance(const Shape& a, const Shape& b) {
   return least;
 }
 
-double RayDistance(const Shape& shape, const Vector2d& origin,
-                   const Vector2d& direction) {
-  if (shape.IsDisc()) {
-    const Vector2d to_center = shape.center - origin;
-    const double along = to_center.dot(direction);
-    const double outside =
-        to_center.squaredNorm() - shape.radius * shape.radius;
-    if (outside <= 0.0) return 0.0;
-    const double discriminant = along * along - outside;
-    if (along < 0.0 || discriminant < 0.0) return kInfinity;
-    return along - std::sqrt(discriminant);
-  }
-  double enter = 0.0;
-  double leave = kInfinity;
-  const auto& v = shape.vertices;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const Vector2d edge = v[(i + 1) % v.size()] - v[i];
-    const double outside = -Cross(edge, origin - v[i]);
-    const double rate = Cross(edge, direction);
-    if (rate > 0.0) {
-      enter = std::max(enter, outside / rate);
-    } else if (rate < 0.0) {
-      leave = std::min(leave, outside / rate);
-    } else if (outside > 0.0) {
-      return kInfinity;
-    }
-  }
-  return enter <= leave ? enter : kInfinity;
-}
-
 std::vector<ContactPoint> FindContact(const Shape& a, const Shape& b) {
   assert(!a.IsDisc());
   if ((a.center - b.center).norm() > a.radius + b.radius) return {};

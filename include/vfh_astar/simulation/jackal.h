@@ -39,9 +39,19 @@ struct JackalModel {
 
 /// The rigid-body world that robots stand in: a level floor under gravity.
 /// Obstacles are not bodies; what a robot touches is handed to it.
+///
+/// Most of the time nothing slides or lifts off. Then bounds on forces (the
+/// ground only pushes, friction and motors have limits) change nothing, but
+/// finding that out costs the solver more than all the rest of a step. So a
+/// step is taken without bounds where nothing but the ground is touched and the
+/// step before kept within them, and repeated with them if its forces do not.
 class PhysicsWorld {
  public:
-  PhysicsWorld();
+  enum class Bounds { kWhereTheyMatter, kAlways };
+
+  /// @param[in] bounds kAlways for the same motion, but for rounding, in more
+  ///   time.
+  explicit PhysicsWorld(Bounds bounds = Bounds::kWhereTheyMatter);
   ~PhysicsWorld();
   PhysicsWorld(const PhysicsWorld&) = delete;
   PhysicsWorld& operator=(const PhysicsWorld&) = delete;
@@ -52,8 +62,14 @@ class PhysicsWorld {
  private:
   friend class Jackal;
   struct Handles;
+
+  void Repeat(double duration);
+
+  Bounds bounds_;
   std::unique_ptr<Handles> handles_;
 };
+
+class RobotBodies;
 
 /// A Jackal as five bodies: a chassis and four driven wheels. It turns by
 /// skidding: the wheels of each side turn alike.
@@ -69,7 +85,6 @@ class Jackal {
   Jackal(PhysicsWorld* world, const JackalModel& model, const Pose2D& pose);
   ~Jackal();
   Jackal(Jackal&&) noexcept;
-  Jackal& operator=(Jackal&&) noexcept;
 
   /// Stands at `pose`, at rest.
   void Place(const Pose2D& pose);
@@ -107,11 +122,9 @@ class Jackal {
   const JackalModel& model() const { return model_; }
 
  private:
-  struct Bodies;
-
   PhysicsWorld* world_;
   JackalModel model_;
-  std::unique_ptr<Bodies> bodies_;
+  std::unique_ptr<RobotBodies> bodies_;
   Twist2D command_;
   std::array<double, 4> wheel_angles_{};
 };

@@ -1,12 +1,12 @@
 #ifndef VFH_ASTAR_SIMULATION_LIDAR_H_
 #define VFH_ASTAR_SIMULATION_LIDAR_H_
 
-#include <Eigen/Core>
 #include <random>
 #include <vector>
 
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/laser_scan.h"
+#include "vfh_astar/simulation/beam_fan.h"
 #include "vfh_astar/simulation/laser_model.h"
 #include "vfh_astar/simulation/noise_model.h"
 #include "vfh_astar/simulation/shape.h"
@@ -32,17 +32,13 @@ class Lidar {
   const LaserScan& scan() const { return scan_; }
 
  private:
-  void LookAt(const Shape& shape, const Pose2D& pose);
-  void LookAt(const Shape& shape, const Eigen::Vector2d& origin, int first_beam,
-              int last_beam);
   void AddNoise(std::mt19937* random);
   void ApplyLimits();
 
   LaserModel laser_;
   NoiseModel noise_;
-  std::vector<Eigen::Vector2d> beams_;       ///< unit vectors, laser's frame.
-  std::vector<Eigen::Vector2d> directions_;  ///< the same in the world.
-  std::vector<double> ranges_;               ///< m, of the sweep being taken.
+  BeamFan fan_;
+  std::vector<double> ranges_;  ///< m, of the sweep being taken.
   LaserScan scan_;
 };
 

@@ -49,13 +49,6 @@ bool Contains(const Shape& shape, const Eigen::Vector2d& point);
 /// Least distance in metres between two shapes; 0 when they touch or overlap.
 double Distance(const Shape& a, const Shape& b);
 
-/// Where a ray meets the shape first.
-/// @param[in] direction a unit vector.
-/// @return metres from the origin; 0 when the origin lies inside; infinity
-///   when the ray misses.
-double RayDistance(const Shape& shape, const Eigen::Vector2d& origin,
-                   const Eigen::Vector2d& direction);
-
 /// A point in which two shapes touch.
 struct ContactPoint {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< m

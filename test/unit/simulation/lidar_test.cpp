@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "simulation/ray_distance.h"
+
 namespace vfh_astar {
 namespace {
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "simulation/ray_distance.h"
+
 namespace vfh_astar {
 namespace {
 
@@ -28,6 +30,15 @@ std::vector<Shape> RandomShapes(std::mt19937* random) {
   return shapes;
 }
 
+/// What one beam meets.
+double CastRay(const ShapeIndex& index, const Eigen::Vector2d& origin,
+               const Eigen::Vector2d& direction, double range) {
+  BeamFan fan(1, 0.0, 1.0);
+  fan.Aim(Pose2D(origin, std::atan2(direction.y(), direction.x())), range);
+  index.CastRays(&fan);
+  return fan.ranges()[0] <= range ? fan.ranges()[0] : kInfinity;
+}
+
 /// Walks along the ray in small steps until it is inside of something.
 double SampledDistance(const std::vector<Shape>& shapes,
                        const Eigen::Vector2d& origin,
@@ -44,16 +55,16 @@ double SampledDistance(const std::vector<Shape>& shapes,
 TEST(ShapeIndexTest, RaysByHand) {
   const ShapeIndex index(
       {MakeDisc({3.0, 0.0}, 0.5), MakeBox({0.0, 4.0, 0.0}, {2.0, 1.0})});
-  EXPECT_DOUBLE_EQ(index.CastRay({0, 0}, {1, 0}, 10.0), 2.5);
-  EXPECT_DOUBLE_EQ(index.CastRay({0, 0}, {0, 1}, 10.0), 3.5);
-  EXPECT_EQ(index.CastRay({0, 0}, {-1, 0}, 10.0), kInfinity);
-  EXPECT_EQ(index.CastRay({0, 0}, {1, 0}, 2.4), kInfinity);
-  EXPECT_DOUBLE_EQ(index.CastRay({-20, 0}, {1, 0}, 30.0), 22.5);
-  EXPECT_EQ(index.CastRay({3, 0}, {1, 0}, 10.0), 0.0) << "from inside";
+  EXPECT_DOUBLE_EQ(CastRay(index, {0, 0}, {1, 0}, 10.0), 2.5);
+  EXPECT_DOUBLE_EQ(CastRay(index, {0, 0}, {0, 1}, 10.0), 3.5);
+  EXPECT_EQ(CastRay(index, {0, 0}, {-1, 0}, 10.0), kInfinity);
+  EXPECT_EQ(CastRay(index, {0, 0}, {1, 0}, 2.4), kInfinity);
+  EXPECT_DOUBLE_EQ(CastRay(index, {-20, 0}, {1, 0}, 30.0), 22.5);
+  EXPECT_EQ(CastRay(index, {3, 0}, {1, 0}, 10.0), 0.0) << "from inside";
 }
 
 TEST(ShapeIndexTest, NothingToMeet) {
-  EXPECT_EQ(ShapeIndex().CastRay({0, 0}, {1, 0}, 10.0), kInfinity);
+  EXPECT_EQ(CastRay(ShapeIndex(), {0, 0}, {1, 0}, 10.0), kInfinity);
   EXPECT_TRUE(ShapeIndex().Near({0, 0}, 5.0).empty());
 }
 
@@ -70,7 +81,7 @@ TEST(ShapeIndexTest, RaysAgreeWithDenseSampling) {
       const Eigen::Vector2d origin(place(random), place(random));
       const double a = angle(random);
       const Eigen::Vector2d direction(std::cos(a), std::sin(a));
-      const double cast = index.CastRay(origin, direction, 10.0);
+      const double cast = CastRay(index, origin, direction, 10.0);
       const double sampled =
           SampledDistance(shapes, origin, direction, 10.0, kStep);
       if (std::isfinite(sampled)) {
@@ -103,44 +114,46 @@ TEST(ShapeIndexTest, RaysAgreeWithEveryShapeAskedInTurn) {
     shapes.push_back(MakeBox({0.0, 20.0, 0.01 * scene}, {50.0, 0.1}));
     shapes.push_back(MakeBox({-20.0, 0.0, angle(random)}, {0.1, 30.0}));
     const ShapeIndex index(shapes);
-    // Of no round number, and some of them along the axes.
-    std::vector<Eigen::Vector2d> directions = {{1, 0}, {-1, 0}, {0, 1}};
-    for (int ray = 0; ray < 60; ++ray) {
-      const double a = angle(random);
-      directions.emplace_back(std::cos(a), std::sin(a));
-    }
-    const Eigen::Vector2d origin(place(random), place(random));
-    const double range = 40.0;
-    std::vector<double> distances(directions.size());
-    index.CastRays(origin, directions.data(), directions.size(), range,
-                   distances.data());
-    for (std::size_t ray = 0; ray < directions.size(); ++ray) {
-      double expected = kInfinity;
-      for (const Shape& shape : shapes) {
-        expected =
-            std::min(expected, RayDistance(shape, origin, directions[ray]));
-      }
-      if (expected > range) expected = kInfinity;
+    constexpr int kBeams = 360;
+    constexpr double kIncrement = 0.0123;
+    constexpr double kRange = 40.0;
+    const Pose2D pose(place(random), place(random), angle(random));
+    BeamFan fan(kBeams, 0.0, kIncrement);
+    fan.Aim(pose, kRange);
+    index.CastRays(&fan);
+    for (int beam = 0; beam < kBeams; ++beam) {
+      const double a = pose.theta + beam * kIncrement;
+      const double expected = RayDistance(shapes, pose.position(),
+                                          {std::cos(a), std::sin(a)}, kRange);
       if (std::isfinite(expected)) {
-        EXPECT_NEAR(distances[ray], expected, 1e-9);
+        EXPECT_NEAR(fan.ranges()[beam], expected, 1e-6);
       } else {
-        EXPECT_EQ(distances[ray], expected);
+        EXPECT_GT(fan.ranges()[beam], kRange);
       }
-      EXPECT_EQ(index.CastRay(origin, directions[ray], range), distances[ray]);
     }
   }
 }
 
-TEST(ShapeIndexTest, RaysFromAndAlongTheBordersOfAllShapes) {
+TEST(ShapeIndexTest, RaysBesideTheBordersOfShapes) {
   const ShapeIndex index({MakeBox({0.5, 0.5, 0.0}, {1.0, 1.0}),
                           MakeBox({4.5, 4.5, 0.0}, {1.0, 1.0})});
-  EXPECT_DOUBLE_EQ(index.CastRay({0, 3}, {0, -1}, 10.0), 2.0);
-  EXPECT_DOUBLE_EQ(index.CastRay({5, 0}, {0, 1}, 10.0), 4.0);
-  EXPECT_DOUBLE_EQ(index.CastRay({5, 2}, {-1, 0}, 10.0), kInfinity);
-  EXPECT_DOUBLE_EQ(index.CastRay({-7, 1}, {1, 0}, 10.0), 7.0);
-  EXPECT_DOUBLE_EQ(index.CastRay({5, 9}, {0, -1}, 10.0), 4.0);
-  EXPECT_EQ(index.CastRay({5, 9}, {0, 1}, 10.0), kInfinity);
-  EXPECT_EQ(index.CastRay({100, 100}, {1, 0}, 10.0), kInfinity);
+  constexpr double kBit = 1e-9;
+  EXPECT_NEAR(CastRay(index, {kBit, 3}, {0, -1}, 10.0), 2.0, 1e-6);
+  EXPECT_EQ(CastRay(index, {-kBit, 3}, {0, -1}, 10.0), kInfinity);
+  EXPECT_NEAR(CastRay(index, {5 - kBit, 0}, {0, 1}, 10.0), 4.0, 1e-6);
+  EXPECT_EQ(CastRay(index, {5 + kBit, 0}, {0, 1}, 10.0), kInfinity);
+  EXPECT_EQ(CastRay(index, {5, 2}, {-1, 0}, 10.0), kInfinity);
+  EXPECT_NEAR(CastRay(index, {-7, 1 - kBit}, {1, 0}, 10.0), 7.0, 1e-6);
+  EXPECT_EQ(CastRay(index, {100, 100}, {1, 0}, 10.0), kInfinity);
+}
+
+TEST(ShapeIndexTest, ManyAtOnePlaceAndOneForAll) {
+  // Nothing tells them apart, so that no division separates them.
+  const std::vector<Shape> shapes(100, MakeDisc({3.0, 0.0}, 0.5));
+  const ShapeIndex index(shapes);
+  EXPECT_DOUBLE_EQ(CastRay(index, {0, 0}, {1, 0}, 10.0), 2.5);
+  EXPECT_EQ(index.Near({3.0, 0.0}, 0.1).size(), 100u);
+  EXPECT_TRUE(index.Near({0.0, 0.0}, 2.4).empty());
 }
 
 TEST(ShapeIndexTest, NearMissesNothing) {

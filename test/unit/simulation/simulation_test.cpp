@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "vfh_astar/simulation/jackal.h"
+
 namespace vfh_astar {
 namespace {
 
@@ -83,6 +85,51 @@ TEST(SimulationTest, CollisionIsReportedWhenTheFootprintTouches) {
   EXPECT_NEAR(simulation.TruePose(0).x, touch, 0.006);
   EXPECT_EQ(simulation.collision(0)->with, "wall");
   EXPECT_NEAR(simulation.collision(0)->robot_speed, 1.0, 0.05);
+}
+
+TEST(SimulationTest, CollisionIsReportedAtTheTouchAtAnyAngle) {
+  const Shape post = MakeDisc({1.5, 0.1}, 0.2);
+  const Shape block = MakeBox({1.6, 0.1, 0.7}, {0.5, 0.3});
+  for (const Shape& solid : {post, block}) {
+    for (int i = 0; i < 24; ++i) {
+      // Towards the solid from all sides, and with corners and sides ahead.
+      const double bearing = kPi / 12.0 * i;
+      const Eigen::Vector2d from =
+          solid.center -
+          1.2 * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+      World world;
+      const double aside = 0.05 * (i % 5 - 2);
+      const bool reverses = i % 3 == 0;
+      world.robots.push_back(
+          {"jackal", {from, bearing + aside + (reverses ? kPi : 0.0)}});
+      world.obstacles.push_back({"solid", {solid}});
+      Simulation simulation(world, {});
+      const Twist2D command = {reverses ? -0.8 : 0.8, i % 2 == 0 ? 0.2 : 0.0};
+      double before = 1.0;
+      double gap = 1.0;
+      while (!simulation.collision(0) && simulation.time() < 5.0) {
+        before = gap;
+        simulation.SetCommand(0, command);
+        simulation.Step();
+        gap = Distance(OutlineOf(Footprint(), simulation.TruePose(0)), solid);
+      }
+      ASSERT_TRUE(simulation.collision(0).has_value()) << i;
+      // A touch is looked for at the beginning of a step.
+      EXPECT_EQ(before, 0.0) << i;
+      EXPECT_GT(simulation.collision(0)->robot_speed, 0.5);
+    }
+  }
+}
+
+TEST(SimulationTest, PassingCloselyIsNoCollision) {
+  World world = EmptyWorld();
+  const double side = Footprint().half_width;
+  world.obstacles.push_back(
+      {"wall", {MakeBox({1.5, side + 0.055, 0.0}, {2.0, 0.1})}});
+  Simulation simulation(world, {});
+  Drive(&simulation, 3.0, {1.0, 0.0});
+  EXPECT_GT(simulation.TruePose(0).x, 2.7);
+  EXPECT_FALSE(simulation.collision(0).has_value());
 }
 
 TEST(SimulationTest, ClearanceByHand) {
@@ -173,6 +220,41 @@ TEST(SimulationTest, SameSeedSameRun) {
   second.Reset(43);
   Drive(&second, 3.0, {0.8, 0.3});
   EXPECT_NE(first.scan(0).ranges, second.scan(0).ranges);
+}
+
+TEST(SimulationTest, SameSeedSameRunOfManyThings) {
+  SimulationParameters parameters;
+  parameters.noise = NoisePreset("experiment");
+  World world = WallWorld();
+  world.robots.push_back({"other", {1.5, 0.3, kPi}});
+  world.robots.push_back({"third", {-1.0, 0.0, 0.3}});
+  Walker walker;
+  walker.name = "walker";
+  walker.home = {1.0, 2.5};
+  world.walkers.push_back(walker);
+  Simulation first(world, parameters);
+  Simulation second(world, parameters);
+  // They run into each other and into the wall, and slide.
+  for (Simulation* simulation : {&first, &second}) {
+    while (simulation->time() < 6.0) {
+      const double t = simulation->time();
+      simulation->SetCommand(0, {1.5, std::sin(3.0 * t)});
+      simulation->SetCommand(1, {1.0, t < 3.0 ? 0.0 : 4.0});
+      simulation->SetCommand(2, {2.0, -0.5});
+      simulation->Step();
+    }
+  }
+  bool collided = false;
+  for (const std::size_t robot : {0, 1, 2}) {
+    const Pose2D pose = first.TruePose(robot);
+    EXPECT_EQ(pose.x, second.TruePose(robot).x);
+    EXPECT_EQ(pose.y, second.TruePose(robot).y);
+    EXPECT_EQ(pose.theta, second.TruePose(robot).theta);
+    EXPECT_EQ(first.WheelAngles(robot), second.WheelAngles(robot));
+    EXPECT_EQ(first.scan(robot).ranges, second.scan(robot).ranges);
+    collided |= first.collision(robot).has_value();
+  }
+  EXPECT_TRUE(collided);
 }
 
 TEST(SimulationTest, SetPoseRefusesAnOccupiedPlace) {
