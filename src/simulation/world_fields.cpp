@@ -1,6 +1,7 @@
 #include "vfh_astar/simulation/world_fields.h"
 
 #include <cmath>
+#include <string>
 
 namespace vfh_astar {
 
@@ -25,7 +26,11 @@ Pose2D ReadPose(const YamlField& field) {
 }
 
 Pose2D ReadGoal(const YamlField& field, const Pose2D& start) {
-  if (field.size() != 2) return ReadPose(field);
+  const std::string form = "[x, y] in m, or [x, y, yaw] in m and rad";
+  if (field.size() != 2) {
+    const std::vector<double> n = field.Numbers(3, kFarthestPlace, form);
+    return {n[0], n[1], NormalizeAngle(n[2])};
+  }
   const Eigen::Vector2d place = ReadPoint(field);
   const Eigen::Vector2d way = place - start.position();
   return {place, std::atan2(way.y(), way.x())};
