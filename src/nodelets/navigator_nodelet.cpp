@@ -124,8 +124,10 @@ class NavigatorNodelet : public nodelet::Nodelet {
           if (lockstep_->TakeOdometry(stamp)) Cycle();
         });
     timer_ = node.createTimer(period_, [this](const ros::TimerEvent&) {
-      // Scans that keep away must not keep the watchdogs from running.
-      if (ros::Time::now() - last_now_ >= period_ || IsTimeReset()) Cycle();
+      // Scans that keep away must not keep the watchdogs from running. The
+      // clock may have lagged behind the scan of the last cycle.
+      const ros::Time last = std::max(last_now_, last_scan_);
+      if (ros::Time::now() - last >= period_ || IsTimeReset()) Cycle();
     });
   }
 

@@ -12,7 +12,7 @@ namespace vfh_astar {
 /// command goes with it; both have to come, in any order. Anybody else who
 /// commands answers by a command that comes after the scan. One who did not in
 /// time is not waited for before his next command, and after kMostMisses such
-/// scans no more: who commands at a pace of his own cannot be waited for.
+/// scans never: who commands at a pace of his own cannot be waited for.
 class ScanAnswer {
  public:
   /// Scans that may go unanswered; forgotten when kTrust in a row are answered.
@@ -21,13 +21,16 @@ class ScanAnswer {
 
   /// @param[in] stamp s
   void TakeScan(double stamp) {
+    if (!has_command_) answered_ = 0;
     stamp_ = stamp;
     is_open_ = true;
     is_used_ = has_command_ = needs_command_ = false;
   }
 
   void TakeCommand() {
-    if (is_open_ && !has_command_ && !is_idle_ && ++answered_ >= kTrust) {
+    const bool is_answer = is_open_ && !has_command_ && !is_idle_;
+    // Who is not waited for any more cannot show that he answers.
+    if (is_answer && ++answered_ >= kTrust && misses_ < kMostMisses) {
       misses_ = 0;
     }
     has_command_ = true;

@@ -11,11 +11,11 @@ Eigen::Vector2d ReadPoint(const YamlField& field) {
 }
 
 Eigen::Vector2d ReadSize(const YamlField& field) {
+  if (field.size() != 2) field.Fail("[length, width] in m");
   std::vector<double> size;
   for (const YamlField& item : field.Items()) {
     size.push_back(item.Number(kSmallestSize, kLargestSize));
   }
-  if (size.size() != 2) field.Fail("[length, width] in m");
   return {size[0], size[1]};
 }
 

@@ -74,6 +74,12 @@ TEST(ScanAnswer, WhoCommandsAtAPaceOfHisOwnIsNotWaitedForInTheEnd) {
     ++misses;
   }
   EXPECT_EQ(misses, ScanAnswer::kMostMisses);
+  // Nor when his commands happen to be many.
+  for (int scan = 100; scan < 200; ++scan) {
+    answer.TakeScan(0.025 * scan);
+    EXPECT_TRUE(answer.IsComplete(false, true));
+    answer.TakeCommand();
+  }
 }
 
 TEST(ScanAnswer, WhoMissesAScanNowAndThenIsWaitedForAgain) {

@@ -215,6 +215,31 @@ TEST(YamlWorld, ErrorsNameLineAndField) {
             std::string::npos);
 }
 
+TEST(YamlWorld, ErrorsInSolids) {
+  EXPECT_EQ(ErrorOf("boxes: [{pose: [0, 0, 0], size: 3}]\n"),
+            "2: boxes[0].size: '3'; expected [length, width] in m");
+  EXPECT_EQ(ErrorOf("walls:\n  - points: [[0, 0], [1, 0],\n      [1, 0]]\n"),
+            "4: walls[0].points[2]: [1, 0]; expected another place than the "
+            "point before");
+  EXPECT_EQ(ErrorOf("walls:\n"
+                    "  - points: [[0, 0], [1, 0], [0, 0]]\n"
+                    "    closed: true\n"),
+            "3: walls[0].points[0]: [0, 0]; expected another place than the "
+            "point before");
+  EXPECT_EQ(ErrorOf("bitmaps:\n  - map: nowhere.yaml\n"),
+            "3: bitmaps[0].map: 'nowhere.yaml'; expected a map's yaml file, "
+            "from the folder of this file on");
+}
+
+TEST(YamlWorld, WhatIsNoYamlIsTold) {
+  EXPECT_EQ(ErrorOf("boxes:\n\t- {pose: [0, 0, 0], size: [1, 1]}\n"),
+            "3: a tab before an entry; expected spaces");
+  EXPECT_EQ(ErrorOf(std::string("name: \"\\\0\"", 10)),
+            "1: bytes that are no text; expected a YAML document");
+  EXPECT_EQ(ErrorOf("walls: [\n"),
+            "3: end of sequence flow not found; expected a YAML document");
+}
+
 TEST(YamlWorld, ErrorsInMovers) {
   EXPECT_EQ(MoverError(""),
             "3: movers[0]: a group of entries; expected either "
