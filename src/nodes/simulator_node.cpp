@@ -148,6 +148,12 @@ void SimulatorNode::AwaitAnswers() {
   }
 }
 
+void SimulatorNode::PublishClock() {
+  rosgraph_msgs::Clock clock;
+  clock.clock.fromSec(simulation_.time());
+  clock_publisher_.publish(clock);
+}
+
 int SimulatorNode::Advance(int max_steps) {
   StepEvents events;
   int steps = 0;
@@ -155,9 +161,7 @@ int SimulatorNode::Advance(int max_steps) {
     events = simulation_.Step();
     ++steps;
   }
-  rosgraph_msgs::Clock clock;
-  clock.clock.fromSec(simulation_.time());
-  clock_publisher_.publish(clock);
+  PublishClock();
   for (const auto& robot : robots_) robot->Publish(events);
   if (events.scan && parameters_.lockstep) {
     is_held_ = true;
@@ -182,6 +186,8 @@ bool SimulatorNode::OnReset(Reset::Request& request, Reset::Response&) {
   simulation_.Reset(seed_);
   is_held_ = false;
   pace_.Restart();
+  // Who sees time go back forgets transforms, and must not forget new ones.
+  PublishClock();
   for (const auto& robot : robots_) robot->BeginAnew();
   return true;
 }

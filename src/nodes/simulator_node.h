@@ -57,6 +57,8 @@ class SimulatorNode {
   /// up.
   void AwaitAnswers();
 
+  void PublishClock();
+
   /// Steps on to where something new is to be published, and publishes it.
   /// @return the number of steps, `max_steps` at most.
   int Advance(int max_steps);
