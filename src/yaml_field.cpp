@@ -33,6 +33,32 @@ std::string Quote(const std::string& text) {
          "'";
 }
 
+/// The line, from 1, of the first tab that indents something; 0 for none.
+int FindIndentingTab(const std::string& text) {
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::size_t entry = line.find_first_not_of(" \t\r");
+    if (entry != std::string::npos && line.find('\t') < entry) return number;
+  }
+  return 0;
+}
+
+/// Why a text that yaml-cpp has refused is no YAML, and where.
+std::string DescribeDefect(const std::string& text,
+                           const YAML::Exception& error) {
+  if (text.find('\0') != std::string::npos) {
+    return ":1: bytes that are no text; expected a YAML document";
+  }
+  if (const int line = FindIndentingTab(text)) {
+    return ":" + std::to_string(line) +
+           ": a tab before an entry; expected spaces";
+  }
+  return ":" + std::to_string(error.mark.line + 1) + ": " + error.msg +
+         "; expected a YAML document";
+}
+
 }  // namespace
 
 YamlField YamlField::LoadFile(const std::string& file) {
@@ -48,8 +74,7 @@ YamlField YamlField::LoadFile(const std::string& file) {
   try {
     root.node_.emplace(YAML::Load(text));
   } catch (const YAML::Exception& error) {
-    throw YamlFieldError(file + ":" + std::to_string(error.mark.line + 1) +
-                         ": " + error.msg + "; expected a YAML document");
+    throw YamlFieldError(file + DescribeDefect(text, error));
   }
   return root;
 }

@@ -11,7 +11,7 @@ Sensing SensingOf(const Simulation& simulation) {
   const OdometryReading& odometry = simulation.filtered_odometry(0);
   Sensing sensing;
   sensing.scan = simulation.scan(0);
-  sensing.base_from_laser = simulation.parameters().laser.mount;
+  sensing.base_from_laser = simulation.laser(0).mount;
   sensing.odometry_stamp = odometry.stamp;
   sensing.odom_from_base = odometry.pose;
   sensing.twist = odometry.twist;
@@ -113,7 +113,7 @@ DriveResult Drive(const DriveTask& task) {
       result.outcome = ToString(Outcome::kSuccess);
       break;
     }
-    if (!events.scan) continue;
+    if (!simulation.HasNewScan(0)) continue;
     const NavigatorOutput output = stack.Update(SensingOf(simulation));
     if (output.command) simulation.SetCommand(0, *output.command);
     measurement.AddCycle(output.status, simulation.TruePose(0));

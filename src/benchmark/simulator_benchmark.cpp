@@ -108,7 +108,7 @@ double TimeSweeps(const Simulation& simulation, int sweeps) {
                    obstacle.shapes.end());
   }
   const ShapeIndex index(statics);
-  Lidar lidar(simulation.parameters().laser, simulation.parameters().noise);
+  Lidar lidar(simulation.laser(0), simulation.parameters().noise);
   std::vector<Shape> outlines;
   for (std::size_t i = 0; i < simulation.robot_count(); ++i) {
     outlines.push_back(OutlineOf(Footprint(), simulation.TruePose(i)));

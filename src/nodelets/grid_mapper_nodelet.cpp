@@ -150,9 +150,9 @@ class GridMapperNodelet : public nodelet::Nodelet {
     if (!map_from_odom_) PlaceOdometry(parameters_.initial_pose, stamp);
     ++used_scans_;
     Publish(mapper_->AddScan(scan, *map_from_odom_ * odom_from_laser), stamp);
-    std_msgs::Header mapped;
-    mapped.stamp = stamp;
-    mapped.frame_id = parameters_.frames.map_frame;
+    const auto mapped = boost::make_shared<std_msgs::Header>();
+    mapped->stamp = stamp;
+    mapped->frame_id = parameters_.frames.map_frame;
     mapped_publisher_.publish(mapped);
   }
 
@@ -163,9 +163,12 @@ class GridMapperNodelet : public nodelet::Nodelet {
     if (change.resized) {
       PublishMap();
     } else if (!change.window.empty()) {
+      // Shared, a message is with the other nodelets at once, and so before
+      // `mapped_scan`; else topics overtake each other.
       update_publisher_.publish(
-          ToUpdateMessage(change.window, mapper_->Values(change.window),
-                          parameters_.frames.map_frame, stamp));
+          boost::make_shared<map_msgs::OccupancyGridUpdate>(
+              ToUpdateMessage(change.window, mapper_->Values(change.window),
+                              parameters_.frames.map_frame, stamp)));
     }
   }
 

@@ -114,12 +114,20 @@ class NavigatorNodelet : public nodelet::Nodelet {
             if (lockstep_->TakeMapped(mapped->stamp)) Cycle();
           });
     }
-    inputs_->Listen(node, [this] {
-      if (lockstep_->TakeScan(inputs_->scan_stamp())) Cycle();
-    });
+    inputs_->Listen(
+        node,
+        [this] {
+          if (lockstep_->TakeScan(inputs_->scan_stamp())) Cycle();
+        },
+        [this] {
+          const ros::Time stamp(*inputs_->odometry_stamp());
+          if (lockstep_->TakeOdometry(stamp)) Cycle();
+        });
     timer_ = node.createTimer(period_, [this](const ros::TimerEvent&) {
-      // Scans that keep away must not keep the watchdogs from running.
-      if (ros::Time::now() - last_now_ >= period_ || IsTimeReset()) Cycle();
+      // Scans that keep away must not keep the watchdogs from running. The
+      // clock may have lagged behind the scan of the last cycle.
+      const ros::Time last = std::max(last_now_, last_scan_);
+      if (ros::Time::now() - last >= period_ || IsTimeReset()) Cycle();
     });
   }
 
@@ -202,9 +210,10 @@ class NavigatorNodelet : public nodelet::Nodelet {
     header.frame_id = parameters_.frames.map_frame;
     std::optional<int> question;
     if (output.request) question = output.request->id;
-    PublishState(lockstep_->TakeState(
-        ToStateMessage(output.status, header, inputs_->scan_stamp()),
-        question));
+    NavigationState state =
+        ToStateMessage(output.status, header, inputs_->scan_stamp());
+    state.commanded = output.command.has_value();
+    PublishState(lockstep_->TakeState(state, question));
   }
 
   void PublishState(const std::optional<NavigationState>& state) {

@@ -2,7 +2,6 @@
 
 #include <std_msgs/Float64.h>
 
-#include <cmath>
 #include <optional>
 
 #include "sensor_messages.h"
@@ -16,8 +15,6 @@ namespace {
 constexpr int kQueueSize = 50;
 // m above base_link, as urdf/jackal.urdf has it.
 constexpr double kLaserHeight = 0.24;
-// s by which a stamp may differ after its way through messages.
-constexpr double kStampTolerance = 1e-6;
 
 geometry_msgs::TransformStamped Stamped(const geometry_msgs::Transform& value,
                                         double stamp,
@@ -74,6 +71,7 @@ RobotTopics::RobotTopics(ros::NodeHandle node, Simulation* simulation,
 }
 
 void RobotTopics::OnCommand(const geometry_msgs::Twist& message) {
+  answer_.TakeCommand();
   const Twist2D command = ToTwist2D(message);
   if (command.IsFinite()) {
     simulation_->SetCommand(robot_, command);
@@ -87,10 +85,7 @@ void RobotTopics::OnCommand(const geometry_msgs::Twist& message) {
 }
 
 void RobotTopics::OnNavigationState(const NavigationState& message) {
-  // Answers from before a reset carry stamps that are yet to come.
-  if (std::abs(message.scan_stamp.toSec() - scan_stamp_) <= kStampTolerance) {
-    is_scan_used_ = true;
-  }
+  answer_.TakeState(message.scan_stamp.toSec(), message.commanded);
 }
 
 void RobotTopics::Publish(const StepEvents& events) {
@@ -99,15 +94,14 @@ void RobotTopics::Publish(const StepEvents& events) {
   }
   // Before the scan, which is placed by it.
   if (events.odometry) PublishMotion();
-  if (events.scan) PublishScan();
+  if (simulation_->HasNewScan(robot_)) PublishScan();
 }
 
 void RobotTopics::PublishScan() {
   const LaserScan& scan = simulation_->scan(robot_);
-  const double period = 1.0 / simulation_->parameters().laser.rate;
+  const double period = 1.0 / simulation_->laser(robot_).rate;
   scan_publisher_.publish(ToScanMessage(scan, period, frames_.laser));
-  scan_stamp_ = scan.stamp;
-  is_scan_used_ = false;
+  answer_.TakeScan(scan.stamp);
 }
 
 void RobotTopics::PublishMotion() {
@@ -144,17 +138,18 @@ void RobotTopics::PublishCollision() {
 }
 
 bool RobotTopics::HasAnswer() const {
-  return is_scan_used_ || navigation_subscriber_.getNumPublishers() == 0;
+  return answer_.IsComplete(navigation_subscriber_.getNumPublishers() > 0,
+                            command_subscriber_.getNumPublishers() > 0);
 }
 
 void RobotTopics::BeginAnew() {
-  is_scan_used_ = true;
+  answer_ = ScanAnswer();
   PublishCollision();
 }
 
 geometry_msgs::TransformStamped RobotTopics::LaserTransform() const {
   geometry_msgs::TransformStamped transform =
-      Stamped(ToTransformMessage(simulation_->parameters().laser.mount), 0.0,
+      Stamped(ToTransformMessage(simulation_->laser(robot_).mount), 0.0,
               frames_.base, frames_.laser);
   transform.transform.translation.z = kLaserHeight;
   return transform;

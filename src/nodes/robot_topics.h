@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <string>
 
+#include "scan_answer.h"
 #include "vfh_astar/simulation/simulation.h"
 
 namespace vfh_astar {
@@ -25,7 +26,7 @@ class RobotTopics {
   /// @param[in] simulation has to outlive this object.
   /// @param[in] robot its number in the simulation.
   /// @param[in] tf_prefix of its frames; empty for none.
-  /// @param[in] listens_to_navigation needed for HasAnswer().
+  /// @param[in] listens_to_navigation HasAnswer() waits for it where it runs.
   RobotTopics(ros::NodeHandle node, Simulation* simulation, std::size_t robot,
               const std::string& tf_prefix, bool listens_to_navigation);
   RobotTopics(const RobotTopics&) = delete;
@@ -34,9 +35,12 @@ class RobotTopics {
   /// Publishes what became new in the last step.
   void Publish(const StepEvents& events);
 
-  /// True when the navigation has used the scan published last, and when there
-  /// is no navigation.
+  /// True when the scan published last was answered, as ScanAnswer tells, and
+  /// when there is nobody who could.
   bool HasAnswer() const;
+
+  /// An answer has not come in time.
+  void GiveUpAnswer() { answer_.GiveUp(); }
 
   /// The simulation was reset: no answer to earlier scans is to come.
   void BeginAnew();
@@ -61,8 +65,7 @@ class RobotTopics {
   std::size_t robot_;
   Frames frames_;
   bool is_collision_known_ = false;  ///< to the topic.
-  double scan_stamp_ = 0.0;          ///< s, of the scan published last.
-  bool is_scan_used_ = true;         ///< by the navigation.
+  ScanAnswer answer_;
 
   ros::Publisher scan_publisher_;
   ros::Publisher filtered_publisher_;

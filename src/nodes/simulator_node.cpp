@@ -130,11 +130,28 @@ double SimulatorNode::HoldTime() {
   const double rest = hold_deadline_ - WallTime();
   if (rest > 0.0) return rest;
   is_held_ = false;
+  for (const auto& robot : robots_) {
+    if (!robot->HasAnswer()) robot->GiveUpAnswer();
+  }
   ROS_WARN_THROTTLE(10.0,
-                    "lock-step: the navigation has not used the scan of %.3f s "
-                    "within %g s of the wall clock; going on without",
+                    "lock-step: the scan of %.3f s was not answered within %g "
+                    "s of the wall clock; going on without",
                     simulation_.time(), parameters_.lockstep_timeout);
   return 0.0;
+}
+
+void SimulatorNode::AwaitAnswers() {
+  while (ros::ok()) {
+    const double hold = HoldTime();
+    topic_queue_.callAvailable(ros::WallDuration(hold));
+    if (hold <= 0.0) return;
+  }
+}
+
+void SimulatorNode::PublishClock() {
+  rosgraph_msgs::Clock clock;
+  clock.clock.fromSec(simulation_.time());
+  clock_publisher_.publish(clock);
 }
 
 int SimulatorNode::Advance(int max_steps) {
@@ -144,9 +161,7 @@ int SimulatorNode::Advance(int max_steps) {
     events = simulation_.Step();
     ++steps;
   }
-  rosgraph_msgs::Clock clock;
-  clock.clock.fromSec(simulation_.time());
-  clock_publisher_.publish(clock);
+  PublishClock();
   for (const auto& robot : robots_) robot->Publish(events);
   if (events.scan && parameters_.lockstep) {
     is_held_ = true;
@@ -165,10 +180,14 @@ std::optional<std::size_t> SimulatorNode::FindRobot(
 }
 
 bool SimulatorNode::OnReset(Reset::Request& request, Reset::Response&) {
+  // A command that is on its way must not become the first of the new run.
+  AwaitAnswers();
   if (request.seed != 0) seed_ = request.seed;
   simulation_.Reset(seed_);
   is_held_ = false;
   pace_.Restart();
+  // Who sees time go back forgets transforms, and must not forget new ones.
+  PublishClock();
   for (const auto& robot : robots_) robot->BeginAnew();
   return true;
 }
@@ -184,13 +203,12 @@ bool SimulatorNode::OnStep(Step::Request& request, Step::Response& response) {
   is_paused_ = true;
   std::uint32_t done = 0;
   while (done < request.steps && ros::ok()) {
-    const double hold = HoldTime();
-    topic_queue_.callAvailable(ros::WallDuration(hold));
-    if (hold > 0.0) continue;
+    AwaitAnswers();
     const std::uint32_t rest = request.steps - done;
     done += Advance(
         static_cast<int>(std::min<std::uint32_t>(rest, steps_per_tick_)));
   }
+  AwaitAnswers();
   response.time.fromSec(simulation_.time());
   return true;
 }

@@ -50,8 +50,14 @@ class SimulatorNode {
   /// Seconds of the wall clock, at most, until the simulation may go on.
   double WaitTime();
 
-  /// As WaitTime, for the answers of the navigation alone.
+  /// As WaitTime, for the answers to the last scans alone.
   double HoldTime();
+
+  /// Handles commands and answers until the last scans are answered, or given
+  /// up.
+  void AwaitAnswers();
+
+  void PublishClock();
 
   /// Steps on to where something new is to be published, and publishes it.
   /// @return the number of steps, `max_steps` at most.

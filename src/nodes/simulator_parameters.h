@@ -25,8 +25,8 @@ struct SimulatorParameters {
   std::string laser = "paper";  ///< see LaserPreset.
 
   double real_time_factor = 1.0;  ///< simulated per wall time; 0: unpaced.
-  bool lockstep = false;          ///< hold the clock until the navigation has
-                                  ///< used the last scan,
+  bool lockstep = false;          ///< hold the clock until the last scan is
+                                  ///< answered,
   double lockstep_timeout = 0.5;  ///< s of the wall clock at the most.
 
   /// @throws ParameterError

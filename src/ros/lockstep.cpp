@@ -1,21 +1,47 @@
 #include "vfh_astar/ros/lockstep.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vfh_astar {
 
 bool Lockstep::TakeScan(const ros::Time& stamp) {
   if (!is_on_) return true;
-  needed_ = std::exchange(scan_, stamp);
+  if (stamp < scan_) Reset();
+  scan_before_ = std::exchange(scan_, stamp);
   const bool has_waited = std::exchange(is_waiting_, false);
-  if (has_waited || mapped_ >= needed_) return true;
+  if (has_waited || IsReady()) return true;
   is_waiting_ = true;
   return false;
 }
 
 bool Lockstep::TakeMapped(const ros::Time& stamp) {
   mapped_ = stamp;
-  if (!is_waiting_ || mapped_ < needed_) return false;
+  return EndWaiting();
+}
+
+bool Lockstep::TakeOdometry(const ros::Time& stamp) {
+  if (!odometry_.isZero() && stamp > odometry_) {
+    const ros::Duration period = stamp - odometry_;
+    // Where one was lost on the way the gap is too wide.
+    odometry_period_ =
+        odometry_period_.isZero() ? period : std::min(odometry_period_, period);
+  }
+  odometry_ = stamp;
+  return EndWaiting();
+}
+
+bool Lockstep::IsReady() const {
+  const bool covers_scan = odometry_ >= scan_;
+  // Stamps are rounded.
+  const ros::Time next = odometry_ + odometry_period_ * (1.0 - 1e-3);
+  const bool has_newest =
+      covers_scan || odometry_period_.isZero() || next > scan_;
+  return has_newest && mapped_ >= (covers_scan ? scan_ : scan_before_);
+}
+
+bool Lockstep::EndWaiting() {
+  if (!is_waiting_ || !IsReady()) return false;
   is_waiting_ = false;
   return true;
 }
@@ -34,6 +60,11 @@ std::optional<NavigationState> Lockstep::TakeAnswer(int question) {
   return std::move(held_);
 }
 
-void Lockstep::Reset() { *this = Lockstep(is_on_); }
+void Lockstep::Reset() {
+  // Odometry of the new time may be here already; its rate stays.
+  scan_ = scan_before_ = mapped_ = ros::Time();
+  is_waiting_ = false;
+  question_.reset();
+}
 
 }  // namespace vfh_astar

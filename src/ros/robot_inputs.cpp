@@ -44,8 +44,10 @@ RobotInputs::RobotInputs(ros::NodeHandle node, const FrameNames& frames,
             map_.Update(window, values);
           }) {}
 
-void RobotInputs::Listen(ros::NodeHandle node, OnScan on_scan) {
+void RobotInputs::Listen(ros::NodeHandle node, OnInput on_scan,
+                         OnInput on_odometry) {
   on_scan_ = std::move(on_scan);
+  on_odometry_ = std::move(on_odometry);
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   // One scan and no more waits: an older one is no ground to drive on.
   scan_subscriber_ = node.subscribe<sensor_msgs::LaserScan>(
@@ -97,6 +99,7 @@ void RobotInputs::Take(const nav_msgs::Odometry& message) {
   odometry_stamp_ = message.header.stamp.toSec();
   odom_from_base_ = pose;
   twist_ = twist;
+  on_odometry_();
 }
 
 std::optional<geometry_msgs::TransformStamped> RobotInputs::MapFromOdom()

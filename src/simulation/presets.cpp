@@ -5,6 +5,11 @@
 
 namespace vfh_astar {
 
+const std::vector<std::string>& LaserPresetNames() {
+  static const std::vector<std::string> kNames = {"paper", "barn"};
+  return kNames;
+}
+
 LaserModel LaserPreset(const std::string& name) {
   LaserModel laser;
   if (name == "paper") return laser;
@@ -31,6 +36,7 @@ NoiseModel DrawErrors(const NoiseModel& noise, std::mt19937* random) {
   drawn.wheel_difference = draw(noise.wheel_difference);
   drawn.gyro_bias = draw(noise.gyro_bias);
   drawn.gyro_scale_error = draw(noise.gyro_scale_error);
+  drawn.acceleration_bias = draw(noise.acceleration_bias);
   return drawn;
 }
 
@@ -46,6 +52,7 @@ NoiseModel NoisePreset(const std::string& name) {
     noise.gyro_bias = 0.0008;
     noise.gyro_scale_error = 0.025;
     noise.gyro_sigma = 0.005;
+    noise.acceleration_bias = 0.04;
     noise.acceleration_sigma = 0.05;
     return noise;
   }

@@ -39,10 +39,10 @@ void RobotSensors::ReadImu(double duration, const Jackal& robot,
   imu_.yaw_rate = (1.0 + noise_.gyro_scale_error) * robot.twist().w +
                   noise_.gyro_bias + Gaussian(noise_.gyro_sigma, random);
   imu_.yaw = NormalizeAngle(imu_.yaw + imu_.yaw_rate * duration);
-  imu_.forward_acceleration =
-      in_robot.x() + Gaussian(noise_.acceleration_sigma, random);
-  imu_.left_acceleration =
-      in_robot.y() + Gaussian(noise_.acceleration_sigma, random);
+  imu_.forward_acceleration = in_robot.x() + noise_.acceleration_bias +
+                              Gaussian(noise_.acceleration_sigma, random);
+  imu_.left_acceleration = in_robot.y() + noise_.acceleration_bias +
+                           Gaussian(noise_.acceleration_sigma, random);
 }
 
 void RobotSensors::Read(double stamp, double duration, const Jackal& robot,

@@ -31,12 +31,16 @@ class Simulation::Impl {
         : name(start.name),
           body(physics, model, start.pose),
           sensors(DrawErrors(parameters.noise, random), model),
-          lidar(parameters.laser, parameters.noise) {}
+          laser(start.laser.value_or(parameters.laser)),
+          lidar(laser, parameters.noise) {}
 
     std::string name;
     Jackal body;
     RobotSensors sensors;
+    LaserModel laser;
     Lidar lidar;
+    std::int64_t scans = 0;     ///< taken since the start.
+    bool has_new_scan = false;  ///< since the last step.
     Twist2D command;
     double command_time = 0.0;
     std::optional<Collision> collision;
@@ -66,13 +70,13 @@ class Simulation::Impl {
   std::vector<SeenRobot> SeenRobots() const;
   void Collide(std::size_t index, const std::vector<Shape>& outlines);
   void NoteCollision(Robot* robot, const std::string& with);
+  bool TakeScans(double now);
   void TakeScan(std::size_t index, const std::vector<Shape>& outlines);
   bool IsFree(const Shape& outline, std::size_t except) const;
 
   std::unique_ptr<Solids> solids_;
   std::mt19937 random_;
   std::int64_t steps_ = 0;
-  std::int64_t scans_ = 0;
   std::int64_t readings_ = 0;
   double last_reading_ = 0.0;
 };
@@ -87,7 +91,6 @@ void Simulation::Impl::Reset(std::uint32_t seed) {
     robots_.emplace_back(physics_.get(), model_, start, parameters_, &random_);
   }
   steps_ = 0;
-  scans_ = 0;
   readings_ = 0;
   last_reading_ = 0.0;
 }
@@ -148,9 +151,26 @@ void Simulation::Impl::TakeScan(std::size_t index,
                     &random_);
 }
 
+/// @param[in] now s, at which those scans are due that are.
+/// @return whether there was one.
+bool Simulation::Impl::TakeScans(double now) {
+  bool any = false;
+  for (Robot& robot : robots_) {
+    robot.has_new_scan = now >= (robot.scans + 1) / robot.laser.rate;
+    if (robot.has_new_scan) ++robot.scans;
+    any = any || robot.has_new_scan;
+  }
+  if (!any) return false;
+  const std::vector<Shape> outlines = Outlines();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (robots_[i].has_new_scan) TakeScan(i, outlines);
+  }
+  return true;
+}
+
 StepEvents Simulation::Impl::Step() {
   const double step = parameters_.step;
-  std::vector<Shape> outlines = Outlines();
+  const std::vector<Shape> outlines = Outlines();
   if (solids_->MayChange()) solids_->Update(time(), SeenRobots());
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
@@ -175,12 +195,7 @@ StepEvents Simulation::Impl::Step() {
     }
     last_reading_ = time();
   }
-  if (now >= (scans_ + 1) / parameters_.laser.rate) {
-    ++scans_;
-    events.scan = true;
-    outlines = Outlines();
-    for (std::size_t i = 0; i < robots_.size(); ++i) TakeScan(i, outlines);
-  }
+  events.scan = TakeScans(now);
   return events;
 }
 
@@ -260,7 +275,15 @@ void Simulation::SetCommand(std::size_t robot, const Twist2D& command) {
   impl_->SetCommand(robot, command);
 }
 
+const LaserModel& Simulation::laser(std::size_t robot) const {
+  return impl_->robots_[robot].laser;
+}
+
 StepEvents Simulation::Step() { return impl_->Step(); }
+
+bool Simulation::HasNewScan(std::size_t robot) const {
+  return impl_->robots_[robot].has_new_scan;
+}
 
 const LaserScan& Simulation::scan(std::size_t robot) const {
   return impl_->robots_[robot].lidar.scan();

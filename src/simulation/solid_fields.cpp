@@ -47,8 +47,15 @@ std::vector<Shape> ReadWall(const YamlField& field, const WorldLoadOptions&) {
       field["thickness"].Exists()
           ? field["thickness"].Number(kSmallestSize, kLargestSize)
           : kUsualWallThickness;
-  return MakeWall(ReadPoints(field["points"], closed ? 3 : 2), thickness,
-                  closed);
+  const std::vector<Eigen::Vector2d> points =
+      ReadPoints(field["points"], closed ? 3 : 2);
+  for (std::size_t i = closed ? 0 : 1; i < points.size(); ++i) {
+    const Eigen::Vector2d& before = points[i == 0 ? points.size() - 1 : i - 1];
+    if ((points[i] - before).norm() < kSmallestSize) {
+      field["points"].Items()[i].Fail("another place than the point before");
+    }
+  }
+  return MakeWall(points, thickness, closed);
 }
 
 std::vector<Shape> ReadBitmap(const YamlField& field,
@@ -58,7 +65,11 @@ std::vector<Shape> ReadBitmap(const YamlField& field,
                               : options.solid_below;
   const std::filesystem::path folder =
       std::filesystem::path(field.file()).parent_path();
-  return LoadBitmapShapes((folder / field["map"].Text()).string(), solid_below);
+  const std::filesystem::path map = folder / field["map"].Text();
+  if (!std::filesystem::is_regular_file(map)) {
+    field["map"].Fail("a map's yaml file, from the folder of this file on");
+  }
+  return LoadBitmapShapes(map.string(), solid_below);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "vfh_astar/simulation/world_fields.h"
 
 #include <cmath>
+#include <string>
 
 namespace vfh_astar {
 
@@ -10,11 +11,11 @@ Eigen::Vector2d ReadPoint(const YamlField& field) {
 }
 
 Eigen::Vector2d ReadSize(const YamlField& field) {
+  if (field.size() != 2) field.Fail("[length, width] in m");
   std::vector<double> size;
   for (const YamlField& item : field.Items()) {
     size.push_back(item.Number(kSmallestSize, kLargestSize));
   }
-  if (size.size() != 2) field.Fail("[length, width] in m");
   return {size[0], size[1]};
 }
 
@@ -25,7 +26,11 @@ Pose2D ReadPose(const YamlField& field) {
 }
 
 Pose2D ReadGoal(const YamlField& field, const Pose2D& start) {
-  if (field.size() != 2) return ReadPose(field);
+  const std::string form = "[x, y] in m, or [x, y, yaw] in m and rad";
+  if (field.size() != 2) {
+    const std::vector<double> n = field.Numbers(3, kFarthestPlace, form);
+    return {n[0], n[1], NormalizeAngle(n[2])};
+  }
   const Eigen::Vector2d place = ReadPoint(field);
   const Eigen::Vector2d way = place - start.position();
   return {place, std::atan2(way.y(), way.x())};

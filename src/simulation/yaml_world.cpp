@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "vfh_astar/simulation/jackal.h"
 #include "vfh_astar/simulation/mover_fields.h"
@@ -11,12 +12,27 @@
 namespace vfh_astar {
 namespace {
 
-/// The entry's name, else its kind and its place in the list, from 1.
-std::string ReadName(const YamlField& field, const std::string& kind,
-                     std::size_t place) {
-  return field["name"].Exists() ? field["name"].Text()
-                                : kind + "_" + std::to_string(place + 1);
-}
+/// The names of a world. What a robot touches is told by name, so robots count
+/// too.
+class Names {
+ public:
+  /// The entry's name, else its kind and its place in the list, from 1.
+  std::string Read(const YamlField& field, const std::string& kind,
+                   std::size_t place) {
+    const YamlField given = field["name"];
+    const std::string name =
+        given.Exists() ? given.Text() : kind + "_" + std::to_string(place + 1);
+    if (!taken_.insert(name).second) {
+      (given.Exists() ? given : field)
+          .Fail("a name that nothing else has; there is a '" + name +
+                "' already");
+    }
+    return name;
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
 
 std::vector<std::string> WithName(std::vector<std::string> keys) {
   keys.insert(keys.begin(), "name");
@@ -24,14 +40,15 @@ std::vector<std::string> WithName(std::vector<std::string> keys) {
 }
 
 std::vector<StaticObstacle> ReadObstacles(const YamlField& root,
-                                          const WorldLoadOptions& options) {
+                                          const WorldLoadOptions& options,
+                                          Names* names) {
   std::vector<StaticObstacle> obstacles;
   for (const SolidKind& kind : SolidKinds()) {
     const std::vector<YamlField> items = root[kind.plural].Items();
     for (std::size_t i = 0; i < items.size(); ++i) {
       items[i].AllowOnly(WithName(kind.keys));
       obstacles.push_back(
-          {ReadName(items[i], kind.name, i), kind.read(items[i], options)});
+          {names->Read(items[i], kind.name, i), kind.read(items[i], options)});
     }
   }
   return obstacles;
@@ -45,16 +62,19 @@ bool IsNamespace(const std::string& name) {
          });
 }
 
-std::vector<RobotStart> ReadRobots(const YamlField& field) {
+std::vector<RobotStart> ReadRobots(const YamlField& field, Names* names) {
   std::vector<RobotStart> robots;
   const std::vector<YamlField> items = field.Items();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    items[i].AllowOnly({"name", "start", "goal"});
+    items[i].AllowOnly({"name", "start", "goal", "laser"});
     RobotStart robot;
-    robot.name = ReadName(items[i], "robot", i);
+    robot.name = names->Read(items[i], "robot", i);
     robot.pose = ReadPose(items[i]["start"]);
     if (items[i]["goal"].Exists()) {
       robot.goal = ReadGoal(items[i]["goal"], robot.pose);
+    }
+    if (items[i]["laser"].Exists()) {
+      robot.laser = LaserPreset(items[i]["laser"].Choice(LaserPresetNames()));
     }
     if (!IsNamespace(robot.name)) {
       items[i]["name"].Fail("a letter, then letters, digits or _");
@@ -64,11 +84,11 @@ std::vector<RobotStart> ReadRobots(const YamlField& field) {
   return robots;
 }
 
-std::vector<Mover> ReadMovers(const YamlField& field) {
+std::vector<Mover> ReadMovers(const YamlField& field, Names* names) {
   std::vector<Mover> movers;
   const std::vector<YamlField> items = field.Items();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    movers.push_back(ReadMover(items[i], ReadName(items[i], "mover", i)));
+    movers.push_back(ReadMover(items[i], names->Read(items[i], "mover", i)));
   }
   return movers;
 }
@@ -103,12 +123,12 @@ PopUp ReadPopUp(const YamlField& field, const std::string& name,
 }
 
 std::vector<PopUp> ReadPopUps(const YamlField& field,
-                              const WorldLoadOptions& options) {
+                              const WorldLoadOptions& options, Names* names) {
   std::vector<PopUp> pop_ups;
   const std::vector<YamlField> items = field.Items();
   for (std::size_t i = 0; i < items.size(); ++i) {
     pop_ups.push_back(
-        ReadPopUp(items[i], ReadName(items[i], "pop_up", i), options));
+        ReadPopUp(items[i], names->Read(items[i], "pop_up", i), options));
   }
   return pop_ups;
 }
@@ -135,11 +155,11 @@ Walker ReadWalker(const YamlField& field, const std::string& name) {
   return walker;
 }
 
-std::vector<Walker> ReadWalkers(const YamlField& field) {
+std::vector<Walker> ReadWalkers(const YamlField& field, Names* names) {
   std::vector<Walker> walkers;
   const std::vector<YamlField> items = field.Items();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    walkers.push_back(ReadWalker(items[i], ReadName(items[i], "walker", i)));
+    walkers.push_back(ReadWalker(items[i], names->Read(items[i], "walker", i)));
   }
   return walkers;
 }
@@ -167,20 +187,21 @@ std::vector<GroundPatch> ReadGround(const YamlField& field,
 }  // namespace
 
 World ReadYamlWorld(const YamlField& root, const WorldLoadOptions& options) {
-  root["version"].Choice({"1"});
+  if (root["version"].Text() != "1") root["version"].Fail("1");
   std::vector<std::string> keys = {"version", "name",    "goal",    "robots",
                                    "movers",  "pop_ups", "walkers", "ground"};
   for (const SolidKind& kind : SolidKinds()) keys.push_back(kind.plural);
   root.AllowOnly(keys);
 
   World world;
+  Names names;
   if (root["name"].Exists()) world.name = root["name"].Text();
-  world.obstacles = ReadObstacles(root, options);
-  world.movers = ReadMovers(root["movers"]);
-  world.pop_ups = ReadPopUps(root["pop_ups"], options);
-  world.walkers = ReadWalkers(root["walkers"]);
+  world.obstacles = ReadObstacles(root, options, &names);
+  world.movers = ReadMovers(root["movers"], &names);
+  world.pop_ups = ReadPopUps(root["pop_ups"], options, &names);
+  world.walkers = ReadWalkers(root["walkers"], &names);
   world.ground = ReadGround(root["ground"], options);
-  world.robots = ReadRobots(root["robots"]);
+  world.robots = ReadRobots(root["robots"], &names);
   if (root["goal"].Exists()) {
     const Pose2D start = world.robots.empty() ? Pose2D() : world.robots[0].pose;
     world.goal = ReadGoal(root["goal"], start);

@@ -15,12 +15,11 @@ from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
-from vfh_astar.msg import CollisionReport, NavigationState
+from vfh_astar.msg import CollisionReport
 
 from simulator_test_case import Newest, SimulatorTestCase
 
 _STEP = 0.002  # s of physics
-_LOCKSTEP_TIMEOUT = 2.0  # wall s, as in simulator.test
 _REAL_TIME_FACTOR = 5.0  # as in simulator.test
 _POST_FACE = 3.0 - 0.2  # m, x of the post's near side in the world
 _START_X = -2.0
@@ -208,47 +207,6 @@ class SimulatorTest(SimulatorTestCase):
         factor = elapsed / (time.monotonic() - wall)
         self.assertLess(factor, 1.1 * _REAL_TIME_FACTOR)
         self.assertGreater(factor, 1.0)
-
-    def test_lockstep_waits_for_the_navigation(self):
-        navigation = rospy.Publisher("navigation_state", NavigationState,
-                                     queue_size=10, tcp_nodelay=True)
-        self.addCleanup(navigation.unregister)
-
-        def answer(scan):
-            state = NavigationState()
-            state.scan_stamp = state.header.stamp = scan.header.stamp
-            navigation.publish(state)
-
-        while navigation.get_num_connections() == 0:
-            time.sleep(0.01)
-        # Nobody answers: the clock goes on, but slowly.
-        first = self.scan.next()
-        began = time.monotonic()
-        second = self.scan.next()
-        self.assertGreater(time.monotonic() - began, 0.8 * _LOCKSTEP_TIMEOUT)
-        # An answer to an older scan is none.
-        answer(first)
-        time.sleep(0.3)
-        self.assertEqual(self.clock.message.clock, second.header.stamp)
-        # Services are served meanwhile.
-        self.assertTrue(self.set_pose("", 0.0, 1.0, 0.0).success)
-        self.assertEqual(self.clock.message.clock, second.header.stamp)
-
-        answer(second)
-        third = self.scan.next()
-        self.assertAlmostEqual(
-            (third.header.stamp - second.header.stamp).to_sec(), 0.025,
-            delta=0.003)
-        answer(third)
-        answers = rospy.Subscriber("front/scan", LaserScan, answer,
-                                   tcp_nodelay=True)
-        self.addCleanup(answers.unregister)
-        began = time.monotonic()
-        before = self.step(0).time.to_sec()
-        after = self.step(500).time.to_sec()
-        self.assertAlmostEqual(after - before, 500 * _STEP, 6)
-        # Forty scans: had their answers not counted, it would take 80 s.
-        self.assertLess(time.monotonic() - began, 20.0)
 
     # The world file.
 

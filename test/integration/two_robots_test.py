@@ -4,6 +4,7 @@ others."""
 
 import math
 import sys
+import time
 
 import rospy
 import rostest
@@ -41,7 +42,21 @@ class TwoRobotsTest(SimulatorTestCase):
             self.assertTrue(math.isinf(ranges[0]))
         self.assertAlmostEqual(ahead["left"], 4.0 - _HALF_LENGTH - _LASER_X,
                                delta=0.01)
-        self.assertAlmostEqual(ahead["left"], ahead["right"], delta=0.001)
+        self.assertAlmostEqual(ahead["left"], ahead["right"], delta=0.01)
+
+    def test_each_has_its_own_laser(self):
+        for name, beams, rate in (("left", 1080, 40), ("right", 720, 50)):
+            scans = Newest(name + "/front/scan", LaserScan)
+            before = scans.next()
+            self.assertEqual(len(before.ranges), beams)
+            self.assertAlmostEqual(before.scan_time, 1.0 / rate, 6)
+            self.pause(True)
+            time.sleep(0.3)
+            before = scans.count
+            self.step(1000)
+            time.sleep(0.3)
+            self.assertEqual(scans.count - before, 2 * rate)
+            self.pause(False)
 
     def test_who_drives_into_whom(self):
         reports = {name: Newest(name + "/collision", CollisionReport)

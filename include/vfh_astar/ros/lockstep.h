@@ -9,11 +9,15 @@
 namespace vfh_astar {
 
 /// For a simulator that holds its clock until `navigation_state` answers its
-/// scan: lets the cycle of a scan run when the map has all scans before it, and
-/// lets a cycle that asks for a trajectory answer only when the trajectory has
-/// come. So mapping and planning take the same simulated time however slow the
-/// machine. A scan's own transform may come after it, so the map cannot wait
-/// for that one too.
+/// scan: lets the cycle of a scan run when the newest odometry of that moment
+/// and all scans that can be in the map by then have come, and lets a cycle
+/// that asks for a trajectory answer only when the trajectory has come. So
+/// every cycle sees the same, and mapping and planning take the same simulated
+/// time, however slow the machine and whichever message is first.
+///
+/// Odometry comes, together with its transform, at a steady rate, which is
+/// taken from its stamps. A scan can be in the map when there is odometry of
+/// its time or later; the clock stands, so that is its own time or never.
 ///
 /// When it is off nothing waits.
 class Lockstep {
@@ -29,6 +33,10 @@ class Lockstep {
   /// @return true when a cycle has waited for that.
   bool TakeMapped(const ros::Time& stamp);
 
+  /// Odometry has come.
+  /// @return true when a cycle has waited for that.
+  bool TakeOdometry(const ros::Time& stamp);
+
   /// A cycle has run.
   /// @param[in] question the id of what it asked, if it did.
   /// @return the state to send now; nothing when it waits for the answer.
@@ -43,11 +51,16 @@ class Lockstep {
   void Reset();
 
  private:
+  bool IsReady() const;
+  bool EndWaiting();
+
   bool is_on_;
-  ros::Time scan_;    ///< the newest.
-  ros::Time needed_;  ///< the one before it.
+  ros::Time scan_;         ///< the newest,
+  ros::Time scan_before_;  ///< and the one before it.
   ros::Time mapped_;
-  bool is_waiting_ = false;  ///< a cycle is, for the map.
+  ros::Time odometry_;             ///< the newest.
+  ros::Duration odometry_period_;  ///< 0: not known yet.
+  bool is_waiting_ = false;        ///< a cycle is.
   std::optional<int> question_;
   NavigationState held_;  ///< while question_ is set.
 };

@@ -26,7 +26,7 @@ namespace vfh_astar {
 /// with a warning and counted.
 class RobotInputs {
  public:
-  using OnScan = std::function<void()>;
+  using OnInput = std::function<void()>;
 
   /// @param[in] node whose callback queue brings the messages.
   /// @param[in] occupied_threshold percent, of the map.
@@ -36,8 +36,9 @@ class RobotInputs {
   RobotInputs& operator=(const RobotInputs&) = delete;
 
   /// Begins to take scans and odometry.
-  /// @param[in] on_scan called after every scan that can be used.
-  void Listen(ros::NodeHandle node, OnScan on_scan);
+  /// @param[in] on_scan called after every scan that can be used,
+  /// @param[in] on_odometry and after all such odometry.
+  void Listen(ros::NodeHandle node, OnInput on_scan, OnInput on_odometry);
 
   /// What is known at a time; what it points to lives until the next message.
   NavigatorInput At(const ros::Time& time) const;
@@ -46,6 +47,10 @@ class RobotInputs {
 
   /// 0 before the first.
   const ros::Time& scan_stamp() const { return scan_stamp_; }
+  /// s; nothing before the first.
+  const std::optional<double>& odometry_stamp() const {
+    return odometry_stamp_;
+  }
   int unusable_scans() const { return unusable_scans_; }
 
   /// s since the newest transform from map to odom, nothing without one; it is
@@ -65,7 +70,8 @@ class RobotInputs {
   std::optional<geometry_msgs::TransformStamped> MapFromOdom() const;
 
   FrameNames frames_;
-  OnScan on_scan_;
+  OnInput on_scan_;
+  OnInput on_odometry_;
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
 

@@ -2,6 +2,7 @@
 #define VFH_ASTAR_SIMULATION_LASER_MODEL_H_
 
 #include <string>
+#include <vector>
 
 #include "vfh_astar/geometry.h"
 
@@ -23,6 +24,8 @@ struct LaserModel {
 /// 0.1 to 30 m, 50 Hz, sigma 1 mm, as the BARN benchmark's Jackal has it.
 /// @throws std::invalid_argument naming the presets for any other name.
 LaserModel LaserPreset(const std::string& name);
+
+const std::vector<std::string>& LaserPresetNames();
 
 }  // namespace vfh_astar
 

@@ -17,6 +17,7 @@ struct NoiseModel {
   double gyro_bias = 0.0;      ///< rad/s
   double gyro_scale_error = 0.0;    ///< relative error of the measured rate.
   double gyro_sigma = 0.0;          ///< rad/s per reading.
+  double acceleration_bias = 0.0;   ///< m/s^2, forward and to the left.
   double acceleration_sigma = 0.0;  ///< m/s^2 per reading.
 };
 

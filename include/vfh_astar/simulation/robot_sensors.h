@@ -24,7 +24,8 @@ struct OdometryReading {
 
 struct ImuReading {
   double stamp = 0.0;                 ///< s
-  double yaw = 0.0;                   ///< rad, integrated from the rate.
+  double yaw = 0.0;                   ///< rad, integrated from the rate, so
+                                      ///< that it is wrong as the gyro is.
   double yaw_rate = 0.0;              ///< rad/s
   double forward_acceleration = 0.0;  ///< m/s^2
   double left_acceleration = 0.0;     ///< m/s^2

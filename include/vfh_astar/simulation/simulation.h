@@ -21,7 +21,7 @@ struct SimulationParameters {
   double step = 0.002;            ///< s of physics.
   double odometry_rate = 50.0;    ///< Hz, also of IMU, EKF and ground truth.
   double command_timeout = 0.25;  ///< s after which a command counts as rest.
-  LaserModel laser;
+  LaserModel laser;               ///< of robots that have none of their own.
   NoiseModel noise;
   std::uint32_t seed = 1;
 };
@@ -35,8 +35,8 @@ struct Collision {
 
 /// What became new in a step.
 struct StepEvents {
-  bool scan = false;
-  bool odometry = false;
+  bool scan = false;      ///< of one robot or more: see HasNewScan().
+  bool odometry = false;  ///< of every robot.
 };
 
 /// Robots, world and sensors, stepped by whoever owns it; no clock of its own.
@@ -55,6 +55,7 @@ class Simulation {
 
   std::size_t robot_count() const;
   const std::string& robot_name(std::size_t robot) const;
+  const LaserModel& laser(std::size_t robot) const;
 
   /// Takes a command as the robot's own controller would: held for
   /// command_timeout, within its limits of speed and acceleration.
@@ -62,6 +63,10 @@ class Simulation {
 
   /// One step of physics.
   StepEvents Step();
+
+  /// True when the last step has brought a scan; robots whose lasers differ
+  /// have scans at different times.
+  bool HasNewScan(std::size_t robot) const;
 
   /// The newest of each.
   const LaserScan& scan(std::size_t robot) const;

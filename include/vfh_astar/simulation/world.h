@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vfh_astar/geometry.h"
+#include "vfh_astar/simulation/laser_model.h"
 #include "vfh_astar/simulation/shape.h"
 
 namespace vfh_astar {
@@ -73,7 +74,8 @@ struct GroundPatch {
 struct RobotStart {
   std::string name;
   Pose2D pose;
-  std::optional<Pose2D> goal = std::nullopt;  ///< suggested.
+  std::optional<Pose2D> goal = std::nullopt;       ///< suggested.
+  std::optional<LaserModel> laser = std::nullopt;  ///< else the simulation's.
 };
 
 /// A planar world as its file describes it.

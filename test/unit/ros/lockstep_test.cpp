@@ -32,6 +32,31 @@ TEST(LockstepTest, ACycleWaitsForTheScanBeforeItsOwnToBeMapped) {
   EXPECT_TRUE(lockstep.TakeScan(ros::Time(3.0)));
 }
 
+TEST(LockstepTest, ACycleWaitsForTheNewestOdometryOfItsTime) {
+  Lockstep lockstep(true);
+  lockstep.TakeOdometry(ros::Time(0.98));
+  lockstep.TakeOdometry(ros::Time(1.0));
+  EXPECT_FALSE(lockstep.TakeMapped(ros::Time(1.0)));
+  EXPECT_TRUE(lockstep.TakeScan(ros::Time(1.0)));
+  // At 1.02 there was odometry, and at 1.04 there will be.
+  EXPECT_FALSE(lockstep.TakeScan(ros::Time(1.025)));
+  EXPECT_TRUE(lockstep.TakeOdometry(ros::Time(1.02)));
+  EXPECT_FALSE(lockstep.TakeMapped(ros::Time(1.025)));
+  // There is odometry at 1.06 itself.
+  EXPECT_FALSE(lockstep.TakeOdometry(ros::Time(1.04)));
+  EXPECT_FALSE(lockstep.TakeScan(ros::Time(1.06)));
+  EXPECT_FALSE(lockstep.TakeOdometry(ros::Time(1.06)));
+  EXPECT_TRUE(lockstep.TakeMapped(ros::Time(1.06)));
+}
+
+TEST(LockstepTest, AScanOfOdometrysTimeIsInTheMapForItsOwnCycle) {
+  Lockstep lockstep(true);
+  lockstep.TakeOdometry(ros::Time(1.98));
+  lockstep.TakeOdometry(ros::Time(2.0));
+  EXPECT_FALSE(lockstep.TakeScan(ros::Time(2.0)));
+  EXPECT_TRUE(lockstep.TakeMapped(ros::Time(2.0)));
+}
+
 TEST(LockstepTest, AScanThatComesMeanwhileEndsTheWaiting) {
   Lockstep lockstep(true);
   lockstep.TakeScan(ros::Time(1.0));

@@ -63,6 +63,33 @@ TEST(SimulationTest, SensorsComeAtTheirRates) {
   EXPECT_EQ(readings, 500);
 }
 
+TEST(SimulationTest, EveryRobotScansAtItsOwnRate) {
+  World world = WallWorld();
+  world.robots.push_back({"other", {0.0, 5.0, 0.0}});
+  world.robots[1].laser = LaserPreset("barn");
+  Simulation simulation(world, {});
+  int scans[2] = {0, 0};
+  while (simulation.time() < 2.0 - 1e-9) {
+    const StepEvents events = simulation.Step();
+    EXPECT_EQ(events.scan,
+              simulation.HasNewScan(0) || simulation.HasNewScan(1));
+    for (const std::size_t robot : {0, 1}) {
+      if (!simulation.HasNewScan(robot)) continue;
+      ++scans[robot];
+      EXPECT_NEAR(simulation.scan(robot).stamp,
+                  scans[robot] / simulation.laser(robot).rate, 0.0021);
+    }
+  }
+  EXPECT_EQ(scans[0], 80);
+  EXPECT_EQ(scans[1], 100);
+  EXPECT_EQ(simulation.scan(0).ranges.size(), 1080u);
+  EXPECT_EQ(simulation.scan(1).ranges.size(), 720u);
+  EXPECT_EQ(simulation.laser(0).beams, 1080);
+  simulation.Reset(1);
+  simulation.Step();
+  EXPECT_FALSE(simulation.HasNewScan(0));
+}
+
 TEST(SimulationTest, ACommandTimesOut) {
   Simulation simulation(EmptyWorld(), {});
   Drive(&simulation, 1.0, {1.0, 0.0});
@@ -255,6 +282,50 @@ TEST(SimulationTest, SameSeedSameRunOfManyThings) {
     collided |= first.collision(robot).has_value();
   }
   EXPECT_TRUE(collided);
+}
+
+TEST(SimulationTest, WhatIsSpawnedAndDeletedChangesNoChance) {
+  SimulationParameters parameters;
+  parameters.noise = NoisePreset("experiment");
+  const auto run = [](Simulation* simulation) {
+    simulation->Reset(7);
+    Drive(simulation, 0.5, {0.8, 0.2});
+    EXPECT_TRUE(simulation->Spawn({"post", {MakeDisc({1.5, 0.3}, 0.2)}}));
+    Drive(simulation, 1.0, {0.8, 0.2});
+    EXPECT_TRUE(simulation->Delete("walker"));
+    EXPECT_TRUE(simulation->Delete("post"));
+    Drive(simulation, 1.0, {0.8, 0.2});
+  };
+  World world = WallWorld();
+  Walker walker;
+  walker.name = "walker";
+  walker.home = {2.0, 2.0};
+  world.walkers.push_back(walker);
+  Simulation first(world, parameters);
+  Simulation second(world, parameters);
+  Drive(&second, 0.7, {-1.0, 0.0});
+  run(&first);
+  run(&second);
+  EXPECT_EQ(first.TruePose(0).x, second.TruePose(0).x);
+  EXPECT_EQ(first.TruePose(0).theta, second.TruePose(0).theta);
+  for (std::size_t beam = 0; beam < first.scan(0).ranges.size(); ++beam) {
+    const float range = first.scan(0).ranges[beam];
+    if (std::isnan(range)) continue;
+    EXPECT_EQ(range, second.scan(0).ranges[beam]);
+  }
+}
+
+TEST(SimulationTest, TheAccelerometerIsWrongByItsBias) {
+  SimulationParameters parameters;
+  parameters.noise.acceleration_bias = 0.1;
+  Simulation simulation(EmptyWorld(), parameters);
+  Drive(&simulation, 1.0);
+  const ImuReading& imu = simulation.imu(0);
+  EXPECT_GT(std::abs(imu.forward_acceleration), 0.079);
+  EXPECT_LT(std::abs(imu.forward_acceleration), 0.126);
+  EXPECT_NEAR(imu.forward_acceleration, imu.left_acceleration, 1e-3);
+  EXPECT_NE(NoisePreset("experiment").acceleration_bias, 0.0);
+  EXPECT_EQ(NoisePreset("clean").acceleration_bias, 0.0);
 }
 
 TEST(SimulationTest, SetPoseRefusesAnOccupiedPlace) {

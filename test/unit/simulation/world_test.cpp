@@ -80,15 +80,13 @@ TEST(LoadWorld, RefusesWhatIsNoWorld) {
 
 TEST(LoadWorld, NamesAreUnique) {
   const TemporaryFolder folder;
-  const std::string file = folder.Write("twice.yaml",
-                                        "version: 1\n"
-                                        "cylinders:\n"
-                                        "  - {name: a, position: [1, 2], "
-                                        "radius: 1}\n"
-                                        "movers:\n"
-                                        "  - {name: a, shape: {cylinder: "
-                                        "{radius: 1}}, keyframes: [[0, 1, "
-                                        "2]]}\n");
+  const std::string cylinder =
+      "{\"name\": \"a\", \"shape\": \"cylinder\", \"radius\": 1, "
+      "\"period_s\": 2, \"keyframes_t_x_y\": [[0, 1, 2]]}";
+  const std::string file =
+      folder.Write("twice.json",
+                   "{\"start\": [0, 0, 0], \"goal\": [1, 1], \"obstacles\": [" +
+                       cylinder + ", " + cylinder + "]}");
   EXPECT_EQ(ErrorOf(file), file +
                                ": name: 'a' stands twice; expected a name "
                                "of its own for each");

@@ -206,9 +206,38 @@ TEST(YamlWorld, ErrorsNameLineAndField) {
             "2: robots[0].name: '3d'; expected a letter, then letters, digits "
             "or _");
   EXPECT_EQ(ErrorOf("goal: there\n"),
-            "2: goal: 'there'; expected [x, y, yaw] in m and rad");
+            "2: goal: 'there'; expected [x, y] in m, or [x, y, yaw] in m and "
+            "rad");
+  EXPECT_EQ(ErrorOf("goal: [1, 2, 3, 4]\n"),
+            "2: goal: [1, 2, 3, 4]; expected [x, y] in m, or [x, y, yaw] in m "
+            "and rad");
   EXPECT_NE(ErrorOf("walls: [\n").find("; expected a YAML document"),
             std::string::npos);
+}
+
+TEST(YamlWorld, ErrorsInSolids) {
+  EXPECT_EQ(ErrorOf("boxes: [{pose: [0, 0, 0], size: 3}]\n"),
+            "2: boxes[0].size: '3'; expected [length, width] in m");
+  EXPECT_EQ(ErrorOf("walls:\n  - points: [[0, 0], [1, 0],\n      [1, 0]]\n"),
+            "4: walls[0].points[2]: [1, 0]; expected another place than the "
+            "point before");
+  EXPECT_EQ(ErrorOf("walls:\n"
+                    "  - points: [[0, 0], [1, 0], [0, 0]]\n"
+                    "    closed: true\n"),
+            "3: walls[0].points[0]: [0, 0]; expected another place than the "
+            "point before");
+  EXPECT_EQ(ErrorOf("bitmaps:\n  - map: nowhere.yaml\n"),
+            "3: bitmaps[0].map: 'nowhere.yaml'; expected a map's yaml file, "
+            "from the folder of this file on");
+}
+
+TEST(YamlWorld, WhatIsNoYamlIsTold) {
+  EXPECT_EQ(ErrorOf("boxes:\n\t- {pose: [0, 0, 0], size: [1, 1]}\n"),
+            "3: a tab before an entry; expected spaces");
+  EXPECT_EQ(ErrorOf(std::string("name: \"\\\0\"", 10)),
+            "1: bytes that are no text; expected a YAML document");
+  EXPECT_EQ(ErrorOf("walls: [\n"),
+            "3: end of sequence flow not found; expected a YAML document");
 }
 
 TEST(YamlWorld, ErrorsInMovers) {
@@ -257,7 +286,7 @@ TEST(YamlWorld, OtherVersionsAreRefused) {
     LoadWorld(file);
     FAIL();
   } catch (const WorldFileError& error) {
-    EXPECT_EQ(error.what(), file + ":1: version: '2'; expected one of 1");
+    EXPECT_EQ(error.what(), file + ":1: version: '2'; expected 1");
   }
 }
 
@@ -306,6 +335,32 @@ TEST(YamlWorld, ReadsGround) {
                     "  - friction: 0\n"
                     "    shape: {cylinder: {position: [5, 5], radius: 1}}\n"),
             "3: ground[0].friction: '0'; expected a number from 0.01 to 10");
+}
+
+TEST(YamlWorld, ReadsLasersOfRobots) {
+  const World world = Read(
+      "robots:\n"
+      "  - {name: a, start: [0, 0, 0]}\n"
+      "  - {name: b, start: [4, 0, 3], laser: barn}\n");
+  EXPECT_FALSE(world.robots[0].laser.has_value());
+  ASSERT_TRUE(world.robots[1].laser.has_value());
+  EXPECT_EQ(world.robots[1].laser->rate, 50.0);
+  EXPECT_EQ(ErrorOf("robots:\n  - start: [0, 0, 0]\n    laser: sick\n"),
+            "4: robots[0].laser: 'sick'; expected one of paper, barn");
+}
+
+TEST(YamlWorld, NamesAreUnique) {
+  EXPECT_EQ(ErrorOf("cylinders: [{name: a, position: [1, 2], radius: 1}]\n"
+                    "robots:\n"
+                    "  - start: [0, 0, 0]\n"
+                    "    name: a\n"),
+            "5: robots[0].name: 'a'; expected a name that nothing else has; "
+            "there is a 'a' already");
+  EXPECT_EQ(ErrorOf("boxes:\n"
+                    "  - {name: box_2, pose: [0, 0, 0], size: [1, 1]}\n"
+                    "  - {pose: [5, 0, 0], size: [1, 1]}\n"),
+            "4: boxes[1]: a group of entries; expected a name that nothing "
+            "else has; there is a 'box_2' already");
 }
 
 TEST(YamlWorld, ReadsGoalsOfRobots) {
