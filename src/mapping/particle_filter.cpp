@@ -25,7 +25,7 @@ ParticleFilter::ParticleFilter(const ParticleFilterParameters& parameters,
       random_(seed),
       particles_(
           parameters.particles,
-          Particle{{}, 0.0, matcher.MakeField(matcher.parameters().gain)}) {}
+          Particle{{}, 0.0, matcher.MakeField()}) {}
 
 void ParticleFilter::AddScan(const std::vector<Eigen::Vector2d>& points,
                              const Pose2D& motion) {

@@ -27,6 +27,7 @@ void SlamParameters::Read(ParameterReader& reader) {
   reader.Group("motion", motion);
   reader.Group("filter", filter);
   reader.Group("loops", loops);
+  reader.Group("graph", graph);
 }
 
 Slam::Slam(const SlamParameters& parameters, std::uint32_t seed)
@@ -105,7 +106,7 @@ void Slam::FindLoops() {
 
 void Slam::Solve() {
   trajectory_ = OptimizePoses(trajectory_, constraints_, parameters_.graph);
-  HitField field = matcher_.MakeField(parameters_.matcher.gain);
+  HitField field = matcher_.MakeField();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     field.Add(nodes_[i].points, trajectory_[i]);
   }

@@ -21,7 +21,7 @@ struct ParticleFilterParameters {
   double weight_scale = 0.3;
   /// Scales the spread that poses are drawn with; 1 takes scan and odometry at
   /// their word.
-  double draw_scale = 0.3;
+  double draw_scale = 0.2;
   double resample_threshold = 0.5;  ///< of the particles, effective ones.
 
   void Read(ParameterReader& reader);
