@@ -16,8 +16,8 @@
 namespace vfh_astar {
 
 struct SlamParameters {
-  double linear_update = 0.1;   ///< m driven until the next scan is used.
-  double angular_update = 0.1;  ///< rad turned until the next scan is used.
+  double linear_update = 0.4;   ///< m driven until the next scan is used.
+  double angular_update = 0.3;  ///< rad turned until the next scan is used.
   /// False leaves the particles alone with the map, as gmapping does.
   bool loop_closure = true;
   ScanMatcherParameters matcher;
