@@ -45,7 +45,6 @@ std::vector<Eigen::Vector2d> NewestPoints(const std::vector<SlamNode>& nodes,
 
 void LoopCloserParameters::Read(ParameterReader& reader) {
   reader.Integer("recent_scans", recent_scans, 1, 1000);
-  reader.Number("submap_gain", submap_gain, 0.05, 1.0);
   reader.Integer("gap_scans", gap_scans, 1, 10000);
   reader.Number("gap_distance", gap_distance, 0.0, 1000.0);
   reader.Number("near_radius", near_radius, 0.1, 100.0);
@@ -64,7 +63,7 @@ PoseConstraint LoopCloser::TieToPredecessor(const std::vector<SlamNode>& nodes,
                                             const PoseBelief& prior,
                                             const Pose2D& start) const {
   const int newest = static_cast<int>(nodes.size()) - 1;
-  HitField field = matcher_.MakeField(parameters_.submap_gain);
+  HitField field = matcher_.MakeField();
   for (int i = std::max(0, newest - parameters_.recent_scans); i < newest;
        ++i) {
     field.Add(nodes[i].points, poses[i]);
@@ -121,7 +120,7 @@ std::optional<PoseConstraint> LoopCloser::FindNear(
                       return a.distance < b.distance ||
                              (a.distance == b.distance && a.index < b.index);
                     });
-  HitField field = matcher_.MakeField(parameters_.submap_gain);
+  HitField field = matcher_.MakeField();
   for (std::size_t i = 0; i < count; ++i) {
     const int index = neighbours[i].index;
     field.Add(nodes[index].points, poses[index]);
@@ -145,7 +144,7 @@ std::optional<PoseConstraint> LoopCloser::FindFar(
     anchor = i;
   }
   if (anchor < 0) return std::nullopt;
-  HitField field = matcher_.MakeField(parameters_.submap_gain);
+  HitField field = matcher_.MakeField();
   for (int i = std::max(0, anchor - kFarSubmap);
        i <= anchor + kFarSubmap && IsOld(nodes, i); ++i) {
     field.Add(nodes[i].points, poses[i]);

@@ -18,21 +18,22 @@ void ParticleFilterParameters::Read(ParameterReader& reader) {
 ParticleFilter::ParticleFilter(const ParticleFilterParameters& parameters,
                                const ScanMatcher& matcher,
                                const MotionModelParameters& motion_model,
-                               std::uint32_t seed)
+                               std::uint32_t seed, const Pose2D& start)
     : parameters_(parameters),
       matcher_(matcher),
       motion_model_(motion_model),
+      start_(start),
       random_(seed),
       particles_(
           parameters.particles,
-          Particle{{}, 0.0, matcher.MakeField(matcher.parameters().gain)}) {}
+          Particle{{}, 0.0, matcher.MakeField()}) {}
 
 void ParticleFilter::AddScan(const std::vector<Eigen::Vector2d>& points,
                              const Pose2D& motion) {
   if (particles_.front().trajectory.empty()) {
     HitField field = particles_.front().field;
-    field.Add(points, {});
-    Restart({Pose2D()}, field);
+    field.Add(points, start_);
+    Restart({start_}, field);
     return;
   }
   // The particles lie close together, so what odometry got wrong since the last

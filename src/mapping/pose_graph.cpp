@@ -73,6 +73,11 @@ ceres::Solver::Options SolverOptions(const PoseGraphParameters& parameters) {
 
 }  // namespace
 
+void PoseGraphParameters::Read(ParameterReader& reader) {
+  reader.Number("doubt_width", doubt_width, 0.01, 100.0);
+  reader.Integer("max_iterations", max_iterations, 1, 1000);
+}
+
 Eigen::Matrix3d InFrameOf(const Pose2D& from,
                           const Eigen::Matrix3d& map_information) {
   const double c = std::cos(from.theta);
@@ -112,13 +117,6 @@ std::vector<Pose2D> OptimizePoses(
     result.emplace_back(value.x(), value.y(), NormalizeAngle(value.z()));
   }
   return result;
-}
-
-double SquaredError(const PoseConstraint& constraint,
-                    const std::vector<Pose2D>& poses) {
-  const Eigen::Vector3d error =
-      Residual(constraint, poses[constraint.from], poses[constraint.to]);
-  return error.dot(constraint.information * error);
 }
 
 }  // namespace vfh_astar

@@ -27,12 +27,14 @@ void SlamParameters::Read(ParameterReader& reader) {
   reader.Group("motion", motion);
   reader.Group("filter", filter);
   reader.Group("loops", loops);
+  reader.Group("graph", graph);
 }
 
-Slam::Slam(const SlamParameters& parameters, std::uint32_t seed)
+Slam::Slam(const SlamParameters& parameters, std::uint32_t seed,
+           const Pose2D& start)
     : parameters_(parameters),
       matcher_(parameters.matcher),
-      filter_(parameters.filter, matcher_, parameters.motion, seed),
+      filter_(parameters.filter, matcher_, parameters.motion, seed, start),
       loop_closer_(parameters.loops, matcher_) {}
 
 bool Slam::AddScan(const LaserScan& scan, const Pose2D& base_from_laser,
@@ -51,7 +53,7 @@ bool Slam::AddScan(const LaserScan& scan, const Pose2D& base_from_laser,
   if (!parameters_.loop_closure) {
     FollowFilter();
   } else if (nodes_.size() == 1) {
-    trajectory_ = {Pose2D()};
+    trajectory_ = {filter_.best().pose()};
   } else {
     ExtendGraph(motion);
     FindLoops();
@@ -105,7 +107,7 @@ void Slam::FindLoops() {
 
 void Slam::Solve() {
   trajectory_ = OptimizePoses(trajectory_, constraints_, parameters_.graph);
-  HitField field = matcher_.MakeField(parameters_.matcher.gain);
+  HitField field = matcher_.MakeField();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     field.Add(nodes_[i].points, trajectory_[i]);
   }

@@ -50,6 +50,7 @@ class GridMapper {
   MapChange AddScan(const LaserScan& scan, const Pose2D& laser_pose);
 
   const GridGeometry& geometry() const { return grid_.geometry(); }
+  const LogOddsGrid& grid() const { return grid_; }
 
   /// The map as published.
   OccupancyGrid Map() const;

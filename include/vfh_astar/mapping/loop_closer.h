@@ -14,7 +14,6 @@ namespace vfh_astar {
 
 struct LoopCloserParameters {
   int recent_scans = 10;       ///< that a scan is tied to as its predecessors.
-  double submap_gain = 0.75;   ///< see HitField, of the maps matched against.
   int gap_scans = 30;          ///< between a scan and what counts as old.
   double gap_distance = 10.0;  ///< m of path between them.
   double near_radius = 8.0;    ///< m around a scan in which old ones are used.

@@ -21,7 +21,7 @@ struct ParticleFilterParameters {
   double weight_scale = 0.3;
   /// Scales the spread that poses are drawn with; 1 takes scan and odometry at
   /// their word.
-  double draw_scale = 0.3;
+  double draw_scale = 0.2;
   double resample_threshold = 0.5;  ///< of the particles, effective ones.
 
   void Read(ParameterReader& reader);
@@ -48,13 +48,14 @@ class ParticleFilter {
  public:
   ParticleFilter(const ParticleFilterParameters& parameters,
                  const ScanMatcher& matcher,
-                 const MotionModelParameters& motion_model, std::uint32_t seed);
+                 const MotionModelParameters& motion_model, std::uint32_t seed,
+                 const Pose2D& start = Pose2D());
 
   /// Takes in a scan.
   /// @param[in] points m, in the base's frame; see ScanMatcher::Points. A scan
   ///   without points moves the particles by odometry alone.
   /// @param[in] motion of the base since the last scan, by odometry; ignored
-  ///   for the first scan, which lies at the origin.
+  ///   for the first scan, which lies at the start.
   void AddScan(const std::vector<Eigen::Vector2d>& points,
                const Pose2D& motion);
 
@@ -79,6 +80,7 @@ class ParticleFilter {
   ParticleFilterParameters parameters_;
   ScanMatcher matcher_;
   MotionModelParameters motion_model_;
+  Pose2D start_;
   std::mt19937 random_;
   std::vector<Particle> particles_;
 };

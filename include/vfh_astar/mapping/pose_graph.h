@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vfh_astar/geometry.h"
+#include "vfh_astar/parameters.h"
 
 namespace vfh_astar {
 
@@ -30,6 +31,8 @@ struct PoseGraphParameters {
   /// less (Cauchy).
   double doubt_width = 1.0;
   int max_iterations = 20;
+
+  void Read(ParameterReader& reader);
 };
 
 /// The poses that meet the constraints best, by Ceres's sparse Levenberg-
@@ -39,11 +42,6 @@ std::vector<Pose2D> OptimizePoses(
     const std::vector<Pose2D>& poses,
     const std::vector<PoseConstraint>& constraints,
     const PoseGraphParameters& parameters);
-
-/// How far poses are from meeting a constraint: half the squared Mahalanobis
-/// distance times two, without robust kernel.
-double SquaredError(const PoseConstraint& constraint,
-                    const std::vector<Pose2D>& poses);
 
 }  // namespace vfh_astar
 

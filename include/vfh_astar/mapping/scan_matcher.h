@@ -17,7 +17,7 @@ struct ScanMatcherParameters {
   double point_spacing = 0.1;  ///< m between the points kept of a scan.
   double resolution = 0.05;    ///< m per cell of a field.
   double sigma = 0.05;         ///< m, of a hit in a field.
-  double gain = 0.5;           ///< what a hit adds, of what is missing to 1.
+  double gain = 0.75;           ///< what a hit adds, of what is missing to 1.
   /// Nats that a point on a wall is better than one far from all. Less than
   /// sigma over the laser's noise, squared, would give, as neighbours err
   /// alike.
@@ -38,9 +38,10 @@ class ScanMatcher {
 
   const ScanMatcherParameters& parameters() const { return parameters_; }
 
-  /// An empty field. @param[in] gain see HitField.
-  HitField MakeField(double gain) const {
-    return HitField(parameters_.resolution, parameters_.sigma, gain);
+  /// A field without hits.
+  HitField MakeField() const {
+    return HitField(parameters_.resolution, parameters_.sigma,
+                    parameters_.gain);
   }
 
   /// The hits of a scan that count, thinned so that a near wall does not

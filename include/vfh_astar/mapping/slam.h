@@ -16,8 +16,8 @@
 namespace vfh_astar {
 
 struct SlamParameters {
-  double linear_update = 0.1;   ///< m driven until the next scan is used.
-  double angular_update = 0.1;  ///< rad turned until the next scan is used.
+  double linear_update = 0.4;   ///< m driven until the next scan is used.
+  double angular_update = 0.3;  ///< rad turned until the next scan is used.
   /// False leaves the particles alone with the map, as gmapping does.
   bool loop_closure = true;
   ScanMatcherParameters matcher;
@@ -37,7 +37,9 @@ struct SlamParameters {
 /// the poses, the graph is solved, and the filter goes on from its solution.
 class Slam {
  public:
-  Slam(const SlamParameters& parameters, std::uint32_t seed);
+  /// @param[in] start of the base in the map, at the first scan.
+  Slam(const SlamParameters& parameters, std::uint32_t seed,
+       const Pose2D& start = Pose2D());
 
   /// Takes in a scan, if the robot has moved far enough since the last.
   /// @param[in] scan without defect (see DescribeDefect).
@@ -48,7 +50,7 @@ class Slam {
   bool AddScan(const LaserScan& scan, const Pose2D& base_from_laser,
                const Pose2D& odometry);
 
-  /// The base in the map for every scan used, the first at the origin. What is
+  /// The base in the map for every scan used, the first at the start. What is
   /// found later moves earlier poses; revision() tells.
   const std::vector<Pose2D>& trajectory() const { return trajectory_; }
 
