@@ -68,10 +68,11 @@ class Referee {
   double Time(const Simulation& simulation) {
     const Eigen::Vector2d way = simulation.TruePose(0).position() -
                                 task_.world.robots.front().pose.position();
-    if (!began_ && way.norm() >= task_.start_distance) {
+    if (!has_begun_ && way.norm() >= task_.start_distance) {
+      has_begun_ = true;
       began_ = simulation.time();
     }
-    return began_ ? simulation.time() - *began_ : 0.0;
+    return has_begun_ ? simulation.time() - began_ : 0.0;
   }
 
   bool IsThere(const Simulation& simulation) const {
@@ -82,7 +83,8 @@ class Referee {
 
  private:
   const DriveTask& task_;
-  std::optional<double> began_;
+  bool has_begun_ = false;
+  double began_ = 0.0;  ///< s
 };
 
 }  // namespace

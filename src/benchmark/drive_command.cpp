@@ -61,8 +61,8 @@ void ReadScene(const po::variables_map& options, DriveTask* task) {
   } else {
     throw OptionError("the world suggests no goal; expected --goal");
   }
-  MakeRoom(task->world.robots.front().pose, &task->stack.mapper);
-  MakeRoom(task->goal, &task->stack.mapper);
+  MakeRoom(task->world.robots.front().pose, &task->stack.mapper.grid);
+  MakeRoom(task->goal, &task->stack.mapper.grid);
 }
 
 /// An empty world with a figure eight to be driven in it.

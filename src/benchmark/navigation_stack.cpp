@@ -4,7 +4,7 @@ namespace vfh_astar {
 
 StackParameters LoadStackParameters(const std::string& file) {
   StackParameters parameters;
-  parameters.mapper = LoadParameters<GridMapperParameters>(file, "grid_mapper");
+  parameters.mapper = LoadParameters<SlamMapperParameters>(file, "grid_mapper");
   parameters.planner =
       LoadParameters<PathPlannerParameters>(file, "path_planner");
   parameters.fitter =
@@ -14,15 +14,14 @@ StackParameters LoadStackParameters(const std::string& file) {
 }
 
 NavigationStack::NavigationStack(const StackParameters& parameters,
-                                 const Pose2D& map_from_odom)
-    : mapper_(parameters.mapper),
+                                 const Pose2D& start)
+    : mapper_(parameters.mapper, start),
       planner_(parameters.planner),
       fitter_(parameters.fitter),
       navigator_(parameters.navigator),
       clearance_(parameters.navigator.occupied_threshold,
-                 parameters.fitter.ClearanceReach()),
-      map_from_odom_(map_from_odom) {
-  const OccupancyGrid map = mapper_.Map();
+                 parameters.fitter.ClearanceReach()) {
+  const OccupancyGrid map = mapper_.grid_mapper().Map();
   planner_.SetMap(map);
   clearance_.SetMap(map);
 }
@@ -31,15 +30,16 @@ void NavigationStack::InsertScan(const Sensing& sensing) {
   const Pose2D odom_from_base =
       Integrate(sensing.odom_from_base, sensing.twist,
                 sensing.scan.stamp - sensing.odometry_stamp);
-  const MapChange change = mapper_.AddScan(
-      sensing.scan, map_from_odom_ * odom_from_base * sensing.base_from_laser);
+  const MapChange change =
+      mapper_.AddScan(sensing.scan, sensing.base_from_laser, odom_from_base);
   if (!change.inserted) return;
   if (change.resized) {
-    const OccupancyGrid map = mapper_.Map();
+    const OccupancyGrid map = mapper_.grid_mapper().Map();
     planner_.SetMap(map);
     clearance_.SetMap(map);
   } else if (!change.window.empty()) {
-    const std::vector<std::int8_t> values = mapper_.Values(change.window);
+    const std::vector<std::int8_t> values =
+        mapper_.grid_mapper().Values(change.window);
     planner_.UpdateMap(change.window, values);
     clearance_.Update(change.window, values);
   }
@@ -77,7 +77,8 @@ NavigatorOutput NavigationStack::Update(const Sensing& sensing) {
   InsertScan(sensing);
   NavigatorInput input;
   input.time = sensing.scan.stamp;
-  input.map_from_odom = map_from_odom_;
+  input.map_from_odom = mapper_.map_from_odom();
+  input.is_lost = mapper_.localization().is_lost;
   input.odometry_stamp = sensing.odometry_stamp;
   input.odom_from_base = sensing.odom_from_base;
   input.twist = sensing.twist;

@@ -7,7 +7,7 @@
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/grid/clearance.h"
 #include "vfh_astar/laser_scan.h"
-#include "vfh_astar/mapping/grid_mapper.h"
+#include "vfh_astar/mapping/slam_mapper.h"
 #include "vfh_astar/navigation/navigator.h"
 #include "vfh_astar/planning/path_planner.h"
 #include "vfh_astar/trajectory/trajectory_fitter.h"
@@ -16,7 +16,7 @@ namespace vfh_astar {
 
 /// The parameters of all stages, as a configuration file has them.
 struct StackParameters {
-  GridMapperParameters mapper;
+  SlamMapperParameters mapper;
   PathPlannerParameters planner;
   TrajectoryFitterParameters fitter;
   NavigatorParameters navigator;
@@ -39,9 +39,8 @@ struct Sensing {
 /// the navigator with the next scan.
 class NavigationStack {
  public:
-  /// @param[in] map_from_odom where odometry starts in the map.
-  NavigationStack(const StackParameters& parameters,
-                  const Pose2D& map_from_odom);
+  /// @param[in] start of the robot in the map.
+  NavigationStack(const StackParameters& parameters, const Pose2D& start);
 
   void SetGoal(const Pose2D& goal) { navigator_.SetGoal("goal", goal); }
 
@@ -52,7 +51,7 @@ class NavigationStack {
   /// One cycle at the time of a scan.
   NavigatorOutput Update(const Sensing& sensing);
 
-  const GridMapper& mapper() const { return mapper_; }
+  const SlamMapper& mapper() const { return mapper_; }
   /// The path and the trajectory last made; empty before.
   const std::vector<Eigen::Vector2d>& path() const { return path_; }
   const Trajectory& trajectory() const { return trajectory_; }
@@ -62,12 +61,11 @@ class NavigationStack {
   void Answer(const MotionRequest& request);
   void AnswerWithCourse(const MotionRequest& request);
 
-  GridMapper mapper_;
+  SlamMapper mapper_;
   PathPlanner planner_;
   TrajectoryFitter fitter_;
   Navigator navigator_;
   ClearanceMap clearance_;
-  Pose2D map_from_odom_;
   std::vector<Eigen::Vector2d> path_;
   Trajectory trajectory_;
   std::optional<Trajectory> course_;

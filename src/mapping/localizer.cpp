@@ -109,14 +109,13 @@ Pose2D Localizer::Search(const std::vector<Eigen::Vector2d>& points,
 bool Localizer::FindAgain(const std::vector<Eigen::Vector2d>& points,
                           const Eigen::Vector2d& laser, const Pose2D& motion) {
   pose_ = pose_ * motion;
-  const Pose2D found = Search(points, pose_, parameters_.lost_distance,
-                              parameters_.lost_angle);
-  const Pose2D pose =
-      matcher_
-          .Align(field_, points, found,
-                 RoughBelief(found, parameters_.start_distance,
-                             parameters_.start_angle))
-          .belief.mean;
+  const Pose2D found =
+      Search(points, pose_, parameters_.lost_distance, parameters_.lost_angle);
+  const Pose2D pose = matcher_
+                          .Align(field_, points, found,
+                                 RoughBelief(found, parameters_.start_distance,
+                                             parameters_.start_angle))
+                          .belief.mean;
   const MapAgreement agreement = CompareWithMap(
       map_, points, laser, pose, 2.0 * map_.geometry().resolution);
   if (agreement.known < kFewestKnown ||

@@ -24,9 +24,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterParameters& parameters,
       motion_model_(motion_model),
       start_(start),
       random_(seed),
-      particles_(
-          parameters.particles,
-          Particle{{}, 0.0, matcher.MakeField()}) {}
+      particles_(parameters.particles, Particle{{}, 0.0, matcher.MakeField()}) {
+}
 
 void ParticleFilter::AddScan(const std::vector<Eigen::Vector2d>& points,
                              const Pose2D& motion) {

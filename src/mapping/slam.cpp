@@ -24,8 +24,8 @@ void SlamParameters::Read(ParameterReader& reader) {
   reader.Number("angular_update", angular_update, 0.0, kPi);
   reader.Flag("loop_closure", loop_closure);
   reader.Group("matcher", matcher);
-  reader.Group("motion", motion);
-  reader.Group("filter", filter);
+  motion.Read(reader);
+  filter.Read(reader);
   reader.Group("loops", loops);
   reader.Group("graph", graph);
 }

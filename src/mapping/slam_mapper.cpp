@@ -35,12 +35,11 @@ SlamMapper::SlamMapper(const SlamMapperParameters& parameters,
       grid_(parameters.grid),
       map_from_guarded_(start),
       map_from_odom_(start) {
-  if (parameters_.localization == "slam") {
-    slam_ = std::make_unique<Slam>(parameters_.slam, parameters_.seed, start);
-  }
+  if (parameters_.localization == "slam") BeginSlam(start);
 }
 
 void SlamMapper::SetMap(const OccupancyGrid& map) {
+  known_map_ = map;
   grid_.SetMap(map);
   if (slam_ || localizer_) LocalizeFrom(start_);
 }
@@ -51,17 +50,34 @@ void SlamMapper::SetPose(const Pose2D& map_from_base) {
   if (!has_begun_) {
     start_ = map_from_base;
     if (slam_) {
-      slam_ = std::make_unique<Slam>(parameters_.slam, parameters_.seed, start_);
+      slam_ =
+          std::make_unique<Slam>(parameters_.slam, parameters_.seed, start_);
     }
   }
   if (localizer_ || (slam_ && has_begun_)) LocalizeFrom(map_from_base);
   map_from_guarded_ = map_from_base * guarded_odometry_.Inverse();
 }
 
+void SlamMapper::Forget() {
+  grid_ = GridMapper(parameters_.grid);
+  if (known_map_) grid_.SetMap(*known_map_);
+  // What the poses were found by is forgotten with the map, unless it is given.
+  if (slam_ || (localizer_ && !known_map_)) {
+    BeginSlam(map_from_guarded_ * guarded_odometry_);
+  }
+}
+
+void SlamMapper::BeginSlam(const Pose2D& start) {
+  slam_ = std::make_unique<Slam>(parameters_.slam, parameters_.seed, start);
+  localizer_.reset();
+  kept_.clear();
+  revision_ = slam_->revision();
+}
+
 void SlamMapper::LocalizeFrom(const Pose2D& pose) {
-  localizer_ = std::make_unique<Localizer>(parameters_.localizer, matcher_,
-                                           parameters_.slam.motion,
-                                           grid_.grid(), pose);
+  localizer_ =
+      std::make_unique<Localizer>(parameters_.localizer, matcher_,
+                                  parameters_.slam.motion, grid_.grid(), pose);
   localized_odometry_ = guarded_odometry_;
   localized_at_.reset();
   slam_.reset();

@@ -32,6 +32,10 @@ std::optional<Fault> FindFault(const NavigatorInput& input,
     return Fault{Outcome::kTransformError,
                  "there is no transform from map to odom"};
   }
+  if (input.is_lost) {
+    return Fault{Outcome::kLocalizationLost,
+                 "the scans do not fit the map where the robot should be"};
+  }
   const double scan_age = input.time - input.scan->stamp;
   const double scan_timeout = parameters.safety.scan_timeout;
   if (scan_age > scan_timeout) {

@@ -3,10 +3,10 @@
 #include <nav_msgs/GetMap.h>
 #include <nodelet/nodelet.h>
 #include <std_msgs/Float64.h>
-#include <std_msgs/Header.h>
 #include <std_srvs/Empty.h>
 #include <tf2_ros/transform_broadcaster.h>
 #include <tf2_ros/transform_listener.h>
+#include <vfh_astar/LocalizationState.h>
 #include <vfh_astar/SaveMap.h>
 
 #include <exception>
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "vfh_astar/grid/map_file.h"
-#include "vfh_astar/mapping/grid_mapper.h"
+#include "vfh_astar/mapping/slam_mapper.h"
 #include "vfh_astar/ros/frame_names.h"
 #include "vfh_astar/ros/geometry_messages.h"
 #include "vfh_astar/ros/map_messages.h"
@@ -29,7 +29,7 @@ namespace vfh_astar {
 namespace {
 
 struct GridMapperNodeletParameters {
-  GridMapperParameters mapper;
+  SlamMapperParameters mapper;
   FrameNames frames;
   std::string map_file;              ///< yaml; empty: the map begins unknown.
   double map_update_interval = 5.0;  ///< s between two whole maps.
@@ -59,7 +59,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
         ReadParameters<GridMapperNodeletParameters>(getPrivateNodeHandle());
     LoadMapFile();
     Advertise();
-    Begin();
+    Begin(parameters_.initial_pose);
     // From here on callbacks come, in another thread than this one.
     Serve();
     Listen();
@@ -82,7 +82,8 @@ class GridMapperNodelet : public nodelet::Nodelet {
         node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
     update_publisher_ =
         node.advertise<map_msgs::OccupancyGridUpdate>("map_updates", 100);
-    mapped_publisher_ = node.advertise<std_msgs::Header>("mapped_scan", 10);
+    localization_publisher_ =
+        node.advertise<LocalizationState>("localization", 10);
     entropy_publisher_ =
         getPrivateNodeHandle().advertise<std_msgs::Float64>("entropy", 1, true);
   }
@@ -112,9 +113,14 @@ class GridMapperNodelet : public nodelet::Nodelet {
         [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& p) {
           OnInitialPose(*p);
         });
-    transform_timer_ = node.createTimer(
-        ros::Duration(parameters_.transform_publish_period),
-        [this](const ros::TimerEvent&) { PublishTransform(); });
+    transform_timer_ =
+        node.createTimer(ros::Duration(parameters_.transform_publish_period),
+                         [this](const ros::TimerEvent&) {
+                           // Scans bring their own.
+                           if (ros::Time::now() >= transform_stamp_) {
+                             PublishTransform(ros::Time::now());
+                           }
+                         });
     map_timer_ = node.createTimer(
         ros::Duration(parameters_.map_update_interval),
         [this](const ros::TimerEvent&) {
@@ -132,9 +138,10 @@ class GridMapperNodelet : public nodelet::Nodelet {
   }
 
   /// The map as it is before the first scan.
-  void Begin() {
-    mapper_ = std::make_unique<GridMapper>(parameters_.mapper);
+  void Begin(const Pose2D& start) {
+    mapper_ = std::make_unique<SlamMapper>(parameters_.mapper, start);
     if (known_map_) mapper_->SetMap(*known_map_);
+    has_pose_ = false;
     stamp_ = ros::Time();
     PublishMap();
   }
@@ -144,16 +151,42 @@ class GridMapperNodelet : public nodelet::Nodelet {
               const ros::Time& stamp) {
     if (stamp + ros::Duration(1.0) < stamp_) {
       NODELET_WARN("time went back: the map begins anew");
-      map_from_odom_.reset();
-      Begin();
+      Begin(parameters_.initial_pose);
     }
-    if (!map_from_odom_) PlaceOdometry(parameters_.initial_pose, stamp);
+    const Pose2D odom_from_base = OdomFromBase(stamp);
+    const bool was_lost = mapper_->localization().is_lost;
+    const int jumps = mapper_->localization().odometry_jumps;
+    const MapChange change = mapper_->AddScan(
+        scan, odom_from_base.Inverse() * odom_from_laser, odom_from_base);
+    has_pose_ = true;
     ++used_scans_;
-    Publish(mapper_->AddScan(scan, *map_from_odom_ * odom_from_laser), stamp);
-    const auto mapped = boost::make_shared<std_msgs::Header>();
-    mapped->stamp = stamp;
-    mapped->frame_id = parameters_.frames.map_frame;
-    mapped_publisher_.publish(mapped);
+    Log(was_lost, jumps);
+    Publish(change, stamp);
+    PublishLocalization(stamp);
+  }
+
+  Pose2D OdomFromBase(const ros::Time& stamp) const {
+    return ToPose2D(transforms_
+                        .lookupTransform(parameters_.frames.odom_frame,
+                                         parameters_.frames.base_frame, stamp)
+                        .transform);
+  }
+
+  /// Once for each event.
+  void Log(bool was_lost, int jumps) {
+    const vfh_astar::Localization& state = mapper_->localization();
+    if (state.is_lost && !was_lost) {
+      NODELET_ERROR(
+          "localisation lost: of %d hits on the map %.0f %% lie on its walls "
+          "and %.0f %% behind them; give a pose with '2D Pose Estimate' unless "
+          "it is found again",
+          state.agreement.known, 100.0 * state.agreement.near_share(),
+          100.0 * state.agreement.pierced_share());
+    }
+    if (!state.is_lost && was_lost) NODELET_WARN("localisation found again");
+    if (state.odometry_jumps > jumps) {
+      NODELET_WARN("odometry jumped; the jump is left out");
+    }
   }
 
   void Publish(const MapChange& change, const ros::Time& stamp) {
@@ -164,23 +197,27 @@ class GridMapperNodelet : public nodelet::Nodelet {
       PublishMap();
     } else if (!change.window.empty()) {
       // Shared, a message is with the other nodelets at once, and so before
-      // `mapped_scan`; else topics overtake each other.
+      // `localization`; else topics overtake each other.
       update_publisher_.publish(
-          boost::make_shared<map_msgs::OccupancyGridUpdate>(
-              ToUpdateMessage(change.window, mapper_->Values(change.window),
-                              parameters_.frames.map_frame, stamp)));
+          boost::make_shared<map_msgs::OccupancyGridUpdate>(ToUpdateMessage(
+              change.window, mapper_->grid_mapper().Values(change.window),
+              parameters_.frames.map_frame, stamp)));
     }
   }
 
-  /// Wherever odometry is at `stamp`, the robot is at `robot_pose` in the map.
-  void PlaceOdometry(const Pose2D& robot_pose, const ros::Time& stamp) {
-    const Pose2D odom_from_base =
-        ToPose2D(transforms_
-                     .lookupTransform(parameters_.frames.odom_frame,
-                                      parameters_.frames.base_frame, stamp)
-                     .transform);
-    map_from_odom_ = robot_pose * odom_from_base.Inverse();
-    PublishTransform();
+  /// Before anything that may wait for the map to have the scan.
+  void PublishLocalization(const ros::Time& stamp) {
+    PublishTransform(stamp);
+    const auto message = boost::make_shared<LocalizationState>();
+    const vfh_astar::Localization& state = mapper_->localization();
+    message->header.stamp = stamp;
+    message->header.frame_id = parameters_.frames.map_frame;
+    message->map_from_odom = ToTransformMessage(mapper_->map_from_odom());
+    message->lost = state.is_lost;
+    message->near_share = state.agreement.near_share();
+    message->pierced_share = state.agreement.pierced_share();
+    message->odometry_jumps = state.odometry_jumps;
+    localization_publisher_.publish(message);
   }
 
   void OnInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
@@ -188,38 +225,40 @@ class GridMapperNodelet : public nodelet::Nodelet {
     pose.header = message.header;
     pose.pose = message.pose.pose;
     try {
-      PlaceOdometry(
-          PoseInFrame(pose, parameters_.frames.map_frame, transforms_),
-          ros::Time(0));
+      mapper_->SetPose(
+          PoseInFrame(pose, parameters_.frames.map_frame, transforms_));
+      PublishTransform(ros::Time::now());
     } catch (const std::exception& error) {
       NODELET_ERROR("the initial pose cannot be used: %s", error.what());
     }
   }
 
-  void PublishTransform() {
-    // tf warns about a second transform of the same time.
-    const ros::Time now = ros::Time::now();
-    if (!map_from_odom_ || now == transform_time_) return;
-    transform_time_ = now;
+  /// @param[in] stamp of what the transform follows from.
+  void PublishTransform(const ros::Time& stamp) {
     geometry_msgs::TransformStamped transform;
     transform.header.frame_id = parameters_.frames.map_frame;
     // It holds until the next one comes, as gmapping's does.
     transform.header.stamp =
-        now + ros::Duration(parameters_.transform_publish_period);
+        stamp + ros::Duration(parameters_.transform_publish_period);
+    // tf warns about a second transform of the same time, and one that is older
+    // than the newest is of no use.
+    if (!has_pose_ || transform.header.stamp <= transform_stamp_) return;
+    transform_stamp_ = transform.header.stamp;
     transform.child_frame_id = parameters_.frames.odom_frame;
-    transform.transform = ToTransformMessage(*map_from_odom_);
+    transform.transform = ToTransformMessage(mapper_->map_from_odom());
     broadcaster_.sendTransform(transform);
   }
 
   void PublishMap() {
     const nav_msgs::OccupancyGridPtr map =
         boost::make_shared<nav_msgs::OccupancyGrid>(
-            ToMapMessage(mapper_->Map(), parameters_.frames.map_frame, stamp_));
+            ToMapMessage(mapper_->grid_mapper().Map(),
+                         parameters_.frames.map_frame, stamp_));
     map_publisher_.publish(map);
     metadata_publisher_.publish(map->info);
     if (entropy_publisher_.getNumSubscribers() > 0) {
       std_msgs::Float64 entropy;
-      entropy.data = mapper_->Entropy();
+      entropy.data = mapper_->grid_mapper().Entropy();
       entropy_publisher_.publish(entropy);
     }
     is_map_old_ = false;
@@ -227,14 +266,14 @@ class GridMapperNodelet : public nodelet::Nodelet {
 
   bool OnGetMap(nav_msgs::GetMap::Request&,
                 nav_msgs::GetMap::Response& answer) {
-    answer.map =
-        ToMapMessage(mapper_->Map(), parameters_.frames.map_frame, stamp_);
+    answer.map = ToMapMessage(mapper_->grid_mapper().Map(),
+                              parameters_.frames.map_frame, stamp_);
     return true;
   }
 
   bool OnSaveMap(SaveMap::Request& request, SaveMap::Response& answer) {
     try {
-      vfh_astar::SaveMap(mapper_->Map(), request.stem);
+      vfh_astar::SaveMap(mapper_->grid_mapper().Map(), request.stem);
       answer.success = true;
       answer.message =
           "wrote " + request.stem + ".yaml and " + request.stem + ".pgm";
@@ -247,9 +286,8 @@ class GridMapperNodelet : public nodelet::Nodelet {
   /// What was seen is forgotten, as by move_base; what is still there comes
   /// back with the next scans.
   bool OnClear(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
-    const ros::Time stamp = stamp_;
-    Begin();
-    stamp_ = stamp;
+    mapper_->Forget();
+    PublishMap();
     return true;
   }
 
@@ -257,23 +295,30 @@ class GridMapperNodelet : public nodelet::Nodelet {
     using diagnostic_msgs::DiagnosticStatus;
     if (used_scans_ == 0) {
       status.summary(DiagnosticStatus::WARN, "no scan used yet");
+    } else if (mapper_->localization().is_lost) {
+      status.summary(DiagnosticStatus::ERROR, "localisation lost");
     } else {
       status.summary(DiagnosticStatus::OK, "mapping");
     }
+    status.add("localisation", parameters_.mapper.localization);
+    status.add("hits on the map's walls [%]",
+               100.0 * mapper_->localization().agreement.near_share());
+    status.add("odometry jumps left out",
+               mapper_->localization().odometry_jumps);
     status.add("scans used", used_scans_);
     status.add("scans dropped, no transform", scans_->late());
     status.add("scans dropped, unusable", scans_->unusable());
-    status.add("map width [cells]", mapper_->geometry().width);
-    status.add("map height [cells]", mapper_->geometry().height);
+    status.add("map width [cells]", mapper_->grid_mapper().geometry().width);
+    status.add("map height [cells]", mapper_->grid_mapper().geometry().height);
   }
 
   GridMapperNodeletParameters parameters_;
   std::optional<OccupancyGrid> known_map_;
-  std::unique_ptr<GridMapper> mapper_;
-  std::optional<Pose2D> map_from_odom_;
-  ros::Time transform_time_;  ///< when it was published last.
-  ros::Time stamp_;           ///< of the newest scan in the map.
-  bool is_map_old_ = false;   ///< more is known than was published whole.
+  std::unique_ptr<SlamMapper> mapper_;
+  bool has_pose_ = false;      ///< from a scan.
+  ros::Time transform_stamp_;  ///< of the one published last.
+  ros::Time stamp_;            ///< of the newest scan in the map.
+  bool is_map_old_ = false;    ///< more is known than was published whole.
   int used_scans_ = 0;
 
   tf2_ros::Buffer transforms_;
@@ -283,7 +328,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
   ros::Publisher map_publisher_;
   ros::Publisher metadata_publisher_;
   ros::Publisher update_publisher_;
-  ros::Publisher mapped_publisher_;
+  ros::Publisher localization_publisher_;
   ros::Publisher entropy_publisher_;
   std::vector<ros::ServiceServer> services_;
   ros::Timer transform_timer_;

@@ -1,6 +1,5 @@
 #include <nodelet/nodelet.h>
 #include <std_msgs/Empty.h>
-#include <std_msgs/Header.h>
 #include <std_srvs/Empty.h>
 
 #include <algorithm>
@@ -108,12 +107,6 @@ class NavigatorNodelet : public nodelet::Nodelet {
     cancel_subscriber_ = node.subscribe<std_msgs::Empty>(
         "cancel", 1,
         [this](const std_msgs::EmptyConstPtr&) { navigator_->Cancel(); });
-    if (parameters_.lockstep) {
-      mapped_subscriber_ = node.subscribe<std_msgs::Header>(
-          "mapped_scan", 10, [this](const std_msgs::HeaderConstPtr& mapped) {
-            if (lockstep_->TakeMapped(mapped->stamp)) Cycle();
-          });
-    }
     inputs_->Listen(
         node,
         [this] {
@@ -122,6 +115,9 @@ class NavigatorNodelet : public nodelet::Nodelet {
         [this] {
           const ros::Time stamp(*inputs_->odometry_stamp());
           if (lockstep_->TakeOdometry(stamp)) Cycle();
+        },
+        [this](const ros::Time& stamp) {
+          if (lockstep_->TakeMapped(stamp)) Cycle();
         });
     timer_ = node.createTimer(period_, [this](const ros::TimerEvent&) {
       // Scans that keep away must not keep the watchdogs from running. The
@@ -306,7 +302,6 @@ class NavigatorNodelet : public nodelet::Nodelet {
   ros::Subscriber trajectory_subscriber_;
   ros::Subscriber failure_subscriber_;
   ros::Subscriber cancel_subscriber_;
-  ros::Subscriber mapped_subscriber_;
   ros::Timer timer_;
 };
 

@@ -13,6 +13,8 @@ namespace {
 
 // m of clearance around a trajectory that are worth knowing.
 constexpr double kClearanceReach = 1.0;
+// s after the mapper's last word in which it still holds.
+constexpr double kLocalizationHolds = 1.0;
 // s that the laser's clock may be ahead.
 constexpr double kClockTolerance = 1.0;
 
@@ -45,9 +47,10 @@ RobotInputs::RobotInputs(ros::NodeHandle node, const FrameNames& frames,
           }) {}
 
 void RobotInputs::Listen(ros::NodeHandle node, OnInput on_scan,
-                         OnInput on_odometry) {
+                         OnInput on_odometry, OnMapped on_mapped) {
   on_scan_ = std::move(on_scan);
   on_odometry_ = std::move(on_odometry);
+  on_mapped_ = std::move(on_mapped);
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   // One scan and no more waits: an older one is no ground to drive on.
   scan_subscriber_ = node.subscribe<sensor_msgs::LaserScan>(
@@ -58,6 +61,9 @@ void RobotInputs::Listen(ros::NodeHandle node, OnInput on_scan,
       "odometry/filtered", 1,
       [this](const nav_msgs::OdometryConstPtr& odometry) { Take(*odometry); },
       nullptr, hints);
+  localization_subscriber_ = node.subscribe<LocalizationState>(
+      "localization", 10,
+      [this](const LocalizationStateConstPtr& state) { Take(*state); });
 }
 
 void RobotInputs::Take(const sensor_msgs::LaserScan& message) {
@@ -102,6 +108,13 @@ void RobotInputs::Take(const nav_msgs::Odometry& message) {
   on_odometry_();
 }
 
+void RobotInputs::Take(const LocalizationState& message) {
+  localization_stamp_ = message.header.stamp;
+  map_from_odom_ = ToPose2D(message.map_from_odom);
+  is_lost_ = message.lost;
+  on_mapped_(message.header.stamp);
+}
+
 std::optional<geometry_msgs::TransformStamped> RobotInputs::MapFromOdom()
     const {
   try {
@@ -115,7 +128,13 @@ std::optional<geometry_msgs::TransformStamped> RobotInputs::MapFromOdom()
 NavigatorInput RobotInputs::At(const ros::Time& time) const {
   NavigatorInput input;
   input.time = time.toSec();
-  if (const auto transform = MapFromOdom()) {
+  const bool has_mapper =
+      !localization_stamp_.isZero() &&
+      time - localization_stamp_ < ros::Duration(kLocalizationHolds);
+  if (has_mapper) {
+    input.map_from_odom = map_from_odom_;
+    input.is_lost = is_lost_;
+  } else if (const auto transform = MapFromOdom()) {
     input.map_from_odom = ToPose2D(transform->transform);
   }
   input.odometry_stamp = odometry_stamp_;
@@ -164,6 +183,7 @@ void RobotInputs::ForgetAfter(const ros::Time& time) {
   if (odometry_stamp_ && *odometry_stamp_ > time.toSec()) {
     odometry_stamp_.reset();
   }
+  if (localization_stamp_ > time) localization_stamp_ = ros::Time();
 }
 
 }  // namespace vfh_astar

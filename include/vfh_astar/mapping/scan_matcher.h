@@ -17,7 +17,7 @@ struct ScanMatcherParameters {
   double point_spacing = 0.1;  ///< m between the points kept of a scan.
   double resolution = 0.05;    ///< m per cell of a field.
   double sigma = 0.05;         ///< m, of a hit in a field.
-  double gain = 0.75;           ///< what a hit adds, of what is missing to 1.
+  double gain = 0.75;          ///< what a hit adds, of what is missing to 1.
   /// Nats that a point on a wall is better than one far from all. Less than
   /// sigma over the laser's noise, squared, would give, as neighbours err
   /// alike.

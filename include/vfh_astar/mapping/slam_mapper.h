@@ -34,7 +34,7 @@ struct SlamMapperParameters {
 };
 
 /// How sure the pose is.
-struct LocalizationState {
+struct Localization {
   bool is_lost = false;
   MapAgreement agreement;  ///< of the last scan that was compared.
   int odometry_jumps = 0;  ///< that were left out.
@@ -63,6 +63,9 @@ class SlamMapper {
   /// better.
   void SetPose(const Pose2D& map_from_base);
 
+  /// The map begins anew: with the map given, or empty. The pose stays.
+  void Forget();
+
   /// Takes in a scan.
   /// @param[in] scan without defect (see DescribeDefect); stamps rise.
   /// @param[in] base_from_laser the laser in the base's frame.
@@ -74,7 +77,7 @@ class SlamMapper {
   /// odometry began at the start.
   const Pose2D& map_from_odom() const { return map_from_odom_; }
 
-  const LocalizationState& localization() const { return localization_; }
+  const Localization& localization() const { return localization_; }
   const GridMapper& grid_mapper() const { return grid_; }
 
  private:
@@ -94,12 +97,14 @@ class SlamMapper {
   void FollowInMap(const LaserScan& scan, const Pose2D& base_from_laser);
   void Judge(const LaserScan& scan, const Pose2D& base_from_laser,
              const Pose2D& pose);
+  void BeginSlam(const Pose2D& start);
   void LocalizeFrom(const Pose2D& pose);
   MapChange Rebuild();
 
   SlamMapperParameters parameters_;
   ScanMatcher matcher_;
   Pose2D start_;
+  std::optional<OccupancyGrid> known_map_;
   GridMapper grid_;
   OdometryGuard guard_;
   Pose2D guarded_odometry_;
@@ -113,7 +118,7 @@ class SlamMapper {
   Pose2D map_from_guarded_;
   Pose2D map_from_odom_;
   bool has_begun_ = false;
-  LocalizationState localization_;
+  Localization localization_;
   int doubts_ = 0;                   ///< in a row.
   std::optional<double> judged_at_;  ///< s
 };

@@ -19,6 +19,7 @@ struct NavigatorInput {
   double time = 0.0;  ///< now.
 
   std::optional<Pose2D> map_from_odom;   ///< nothing while tf lacks it.
+  bool is_lost = false;                  ///< nobody knows where in the map.
   std::optional<double> odometry_stamp;  ///< nothing before the first message.
   Pose2D odom_from_base;                 ///< at odometry_stamp.
   Twist2D twist;                         ///< at odometry_stamp.

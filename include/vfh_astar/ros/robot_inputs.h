@@ -6,6 +6,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
+#include <vfh_astar/LocalizationState.h>
 
 #include <functional>
 #include <optional>
@@ -22,11 +23,14 @@
 namespace vfh_astar {
 
 /// What the navigator drives by: the newest of `front/scan`,
-/// `odometry/filtered`, `map` and tf. Messages that cannot be used are dropped
-/// with a warning and counted.
+/// `odometry/filtered`, `map`, `localization` and tf. The mapper says on
+/// `localization` where odometry lies in the map before tf has brought it;
+/// where another node localises, tf alone says so. Messages that cannot be used
+/// are dropped with a warning and counted.
 class RobotInputs {
  public:
   using OnInput = std::function<void()>;
+  using OnMapped = std::function<void(const ros::Time& stamp)>;
 
   /// @param[in] node whose callback queue brings the messages.
   /// @param[in] occupied_threshold percent, of the map.
@@ -38,7 +42,9 @@ class RobotInputs {
   /// Begins to take scans and odometry.
   /// @param[in] on_scan called after every scan that can be used,
   /// @param[in] on_odometry and after all such odometry.
-  void Listen(ros::NodeHandle node, OnInput on_scan, OnInput on_odometry);
+  /// @param[in] on_mapped called when the mapper has a scan.
+  void Listen(ros::NodeHandle node, OnInput on_scan, OnInput on_odometry,
+              OnMapped on_mapped);
 
   /// What is known at a time; what it points to lives until the next message.
   NavigatorInput At(const ros::Time& time) const;
@@ -67,11 +73,13 @@ class RobotInputs {
  private:
   void Take(const sensor_msgs::LaserScan& message);
   void Take(const nav_msgs::Odometry& message);
+  void Take(const LocalizationState& message);
   std::optional<geometry_msgs::TransformStamped> MapFromOdom() const;
 
   FrameNames frames_;
   OnInput on_scan_;
   OnInput on_odometry_;
+  OnMapped on_mapped_;
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
 
@@ -85,12 +93,17 @@ class RobotInputs {
   Pose2D odom_from_base_;
   Twist2D twist_;
 
+  ros::Time localization_stamp_;  ///< 0 before the first.
+  Pose2D map_from_odom_;
+  bool is_lost_ = false;
+
   ClearanceMap map_;
   bool has_map_ = false;
 
   MapSubscription map_subscription_;
   ros::Subscriber scan_subscriber_;
   ros::Subscriber odometry_subscriber_;
+  ros::Subscriber localization_subscriber_;
 };
 
 }  // namespace vfh_astar

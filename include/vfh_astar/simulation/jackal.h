@@ -27,7 +27,9 @@ struct JackalModel {
   /// By how much farther apart the wheels of a skid-steered robot seem to be.
   double wheel_separation_multiplier = 1.5;
   double motor_torque = 20.0;  ///< N m per wheel.
-  double friction = 1.5;       ///< of the tyres on the ground.
+  /// Of the tyres on the ground: enough for them to creep and not to slide
+  /// whatever v and w are commanded, as the multiplier takes for granted.
+  double friction = 3.0;
   /// N s/m per wheel: the tyre's force grows with slip until friction caps it.
   double tyre_slip_stiffness = 200.0;
   Footprint footprint;
