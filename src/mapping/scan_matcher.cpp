@@ -45,15 +45,15 @@ void AddApart(const Eigen::Vector2d& point, double spacing,
   }
 }
 
-/// Fills the gap between a hit and the one before it, where both lie on one
-/// surface.
-void AddSurface(const std::vector<BeamHit>& hits, std::size_t to,
+/// Adds the way to a hit from the one before it, where both lie on one surface.
+/// @return whether they do; then the hit itself is added too.
+bool AddSurface(const std::vector<BeamHit>& hits, std::size_t to,
                 std::vector<Eigen::Vector2d>& points) {
   const std::size_t from = to - 1;
-  if (hits[from].beam + 1 != hits[to].beam) return;
+  if (hits[from].beam + 1 != hits[to].beam) return false;
   const Eigen::Vector2d gap = hits[to].point - hits[from].point;
   const double length = gap.norm();
-  if (length < 1.5 * kWallSpacing || length > kWidestGap) return;
+  if (length < 1.5 * kWallSpacing || length > kWidestGap) return false;
   const bool has_before =
       from > 0 && hits[from - 1].beam + 1 == hits[from].beam;
   const bool has_after =
@@ -61,12 +61,13 @@ void AddSurface(const std::vector<BeamHit>& hits, std::size_t to,
   if (!IsOneSurface(has_before ? &hits[from - 1].point : nullptr,
                     hits[from].point, hits[to].point,
                     has_after ? &hits[to + 1].point : nullptr)) {
-    return;
+    return false;
   }
   const int parts = static_cast<int>(std::ceil(length / kWallSpacing));
-  for (int i = 1; i < parts; ++i) {
+  for (int i = 1; i <= parts; ++i) {
     points.push_back(hits[from].point + gap * i / parts);
   }
+  return true;
 }
 
 }  // namespace
@@ -90,8 +91,9 @@ ScanShape ScanMatcher::Shape(const LaserScan& scan,
   ScanShape shape;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     AddApart(hits[i].point, parameters_.point_spacing, shape.probes);
-    if (i > 0) AddSurface(hits, i, shape.walls);
-    AddApart(hits[i].point, kWallSpacing, shape.walls);
+    if (i == 0 || !AddSurface(hits, i, shape.walls)) {
+      AddApart(hits[i].point, kWallSpacing, shape.walls);
+    }
   }
   return shape;
 }
