@@ -20,6 +20,21 @@ std::size_t Offset(int x, int y) {
   return static_cast<std::size_t>(y & (kTile - 1)) * kTile + (x & (kTile - 1));
 }
 
+/// height * exp(-spread * x^2) at x = first, first + 1, ...
+void FillGaussian(double first, double spread, double height, int count,
+                  float* values) {
+  // From one value to the next by a ratio, which itself shrinks evenly: far
+  // fewer exponentials.
+  double value = height * std::exp(-spread * first * first);
+  double ratio = std::exp(-spread * (2.0 * first + 1.0));
+  const double shrink = std::exp(-2.0 * spread);
+  for (int i = 0; i < count; ++i) {
+    values[i] = static_cast<float>(value);
+    value *= ratio;
+    ratio *= shrink;
+  }
+}
+
 }  // namespace
 
 HitField::HitField(double resolution, double sigma, double gain)
@@ -50,12 +65,8 @@ void HitField::AddHit(const Eigen::Vector2d& at) {
   assert(side <= kLargestSide);
   std::array<float, kLargestSide> along_x;
   std::array<float, kLargestSide> along_y;
-  for (int i = 0; i < side; ++i) {
-    const double dx = left + i - at.x();
-    const double dy = below + i - at.y();
-    along_x[i] = static_cast<float>(std::exp(-spread_ * dx * dx));
-    along_y[i] = static_cast<float>(gain_ * std::exp(-spread_ * dy * dy));
-  }
+  FillGaussian(left - at.x(), spread_, 1.0, side, along_x.data());
+  FillGaussian(below - at.y(), spread_, gain_, side, along_y.data());
   const cv::Rect tiles(
       cv::Point(TileOf(left), TileOf(below)),
       cv::Point(TileOf(left + side - 1) + 1, TileOf(below + side - 1) + 1));

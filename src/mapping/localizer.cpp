@@ -67,31 +67,25 @@ Localizer::Localizer(const LocalizerParameters& parameters,
       field_(FieldOf(map, matcher)),
       pose_(pose) {}
 
-void Localizer::AddScan(const std::vector<Eigen::Vector2d>& points,
-                        const Pose2D& motion) {
-  const Pose2D likely = pose_ * motion;
-  if (points.empty()) {
-    pose_ = likely;
+void Localizer::AddScan(const ScanShape& shape, const Pose2D& motion) {
+  PoseBelief prior{pose_ * motion,
+                   MotionInformation(motion_model_, pose_, motion)};
+  if (shape.probes.empty()) {
+    pose_ = prior.mean;
     return;
   }
-  if (!is_settled_) {
-    const PoseBelief rough = RoughBelief(likely, parameters_.start_distance,
-                                         parameters_.start_angle);
-    Settle(points, rough,
-           Search(points, likely, 2.0 * parameters_.start_distance,
-                  2.0 * parameters_.start_angle));
-    return;
+  Pose2D start;
+  if (is_settled_) {
+    start = matcher_.FindCoarse(field_, shape.probes, prior);
+  } else {
+    prior = RoughBelief(prior.mean, parameters_.start_distance,
+                        parameters_.start_angle);
+    start = Search(shape.probes, prior.mean, 2.0 * parameters_.start_distance,
+                   2.0 * parameters_.start_angle);
   }
-  const PoseBelief prior{likely,
-                         MotionInformation(motion_model_, pose_, motion)};
-  Settle(points, prior, matcher_.FindCoarse(field_, points, prior));
-}
-
-void Localizer::Settle(const std::vector<Eigen::Vector2d>& points,
-                       const PoseBelief& prior, const Pose2D& start) {
-  pose_ = matcher_.Align(field_, points, start, prior).belief.mean;
+  pose_ = matcher_.Align(field_, shape.probes, start, prior).belief.mean;
   is_settled_ = true;
-  AddUnknown(points);
+  AddUnknown(shape.walls);
 }
 
 Pose2D Localizer::Search(const std::vector<Eigen::Vector2d>& points,
@@ -126,9 +120,9 @@ bool Localizer::FindAgain(const std::vector<Eigen::Vector2d>& points,
   return true;
 }
 
-void Localizer::AddUnknown(const std::vector<Eigen::Vector2d>& points) {
+void Localizer::AddUnknown(const std::vector<Eigen::Vector2d>& walls) {
   std::vector<Eigen::Vector2d> unknown;
-  for (const Eigen::Vector2d& point : points) {
+  for (const Eigen::Vector2d& point : walls) {
     const Cell cell = map_.geometry().ToCell(pose_ * point);
     if (!map_.geometry().Contains(cell) || map_[cell] == kUnexplored) {
       unknown.push_back(point);

@@ -9,17 +9,21 @@ namespace vfh_astar {
 namespace {
 
 // The wide search is dear, and neighbouring scans find the same.
-constexpr int kFarEvery = 3;       // scans
-constexpr double kFarPath = 5.0;   // m of path since the last loop
-constexpr double kFarAngle = 0.3;  // rad
-constexpr int kFarSubmap = 10;     // scans to both sides of an old one
-constexpr int kFarScans = 8;       // newest ones, taken together
+constexpr int kFarEvery = 3;                // scans
+constexpr double kFarPath = 5.0;            // m of path since the last loop
+constexpr double kFarAngle = 0.3;           // rad
+constexpr double kAgreeingDistance = 0.25;  // m, of two wide searches
+constexpr double kAgreeingAngle = 0.05;     // rad
+constexpr int kFarSubmap = 10;              // scans to both sides of an old one
+constexpr int kFarScans = 8;                // newest ones, taken together
 constexpr std::size_t kFarPoints = 400;
 constexpr double kSlack = 0.5;  // m, of the wide search at least
 constexpr int kFewestNear = 3;  // old scans, to match against
 
-// What a candidate loses at the edge of its window.
-constexpr double kEdgePenalty = 0.02;
+// What a candidate loses at the edge of its window. Far off a corridor fits
+// onto many others, so that what asks for a large drift has to fit the better.
+constexpr double kNearPenalty = 0.02;
+constexpr double kFarPenalty = 0.15;
 
 /// The newest scans as one, in the frame of the newest.
 std::vector<Eigen::Vector2d> NewestPoints(const std::vector<SlamNode>& nodes,
@@ -29,7 +33,7 @@ std::vector<Eigen::Vector2d> NewestPoints(const std::vector<SlamNode>& nodes,
   for (std::size_t i = count > kFarScans ? count - 1 - kFarScans : 0; i < count;
        ++i) {
     const Pose2D relative = poses.back().Inverse() * poses[i];
-    for (const Eigen::Vector2d& point : nodes[i].points) {
+    for (const Eigen::Vector2d& point : nodes[i].shape.probes) {
       all.push_back(relative * point);
     }
   }
@@ -52,7 +56,8 @@ void LoopCloserParameters::Read(ParameterReader& reader) {
   reader.Number("near_window", near_window, 0.05, 5.0);
   reader.Number("near_angle", near_angle, 0.01, kPi);
   reader.Number("near_path", near_path, 0.0, 1000.0);
-  reader.Number("least_fit", least_fit, 0.05, 1.0);
+  reader.Number("near_fit", near_fit, 0.05, 1.0);
+  reader.Number("far_fit", far_fit, 0.05, 1.0);
   reader.Number("drift", drift, 0.0, 0.5);
   reader.Number("widest_window", widest_window, 0.5, 30.0);
   reader.Number("loop_weight", loop_weight, 0.001, 1.0);
@@ -66,10 +71,10 @@ PoseConstraint LoopCloser::TieToPredecessor(const std::vector<SlamNode>& nodes,
   HitField field = matcher_.MakeField();
   for (int i = std::max(0, newest - parameters_.recent_scans); i < newest;
        ++i) {
-    field.Add(nodes[i].points, poses[i]);
+    field.Add(nodes[i].shape.walls, poses[i]);
   }
   const Alignment alignment =
-      matcher_.Align(field, nodes[newest].points, start, prior);
+      matcher_.Align(field, nodes[newest].shape.probes, start, prior);
   const Pose2D& from = poses[newest - 1];
   return {newest - 1, newest, from.Inverse() * alignment.belief.mean,
           InFrameOf(from, alignment.belief.information), false};
@@ -82,9 +87,27 @@ std::optional<PoseConstraint> LoopCloser::FindLoop(
   std::optional<PoseConstraint> found;
   if (since < parameters_.near_path) found = FindNear(nodes, poses, guess);
   if (!found && since >= kFarPath && nodes.size() % kFarEvery == 0) {
-    found = FindFar(nodes, poses, guess, since);
+    found = Confirm(FindFar(nodes, poses, guess, since), poses);
   }
   if (found) last_loop_path_ = nodes.back().path;
+  return found;
+}
+
+std::optional<PoseConstraint> LoopCloser::Confirm(
+    const std::optional<PoseConstraint>& found,
+    const std::vector<Pose2D>& poses) {
+  std::optional<PoseConstraint> earlier = found;
+  std::swap(earlier, unconfirmed_);
+  if (!found || !earlier) return std::nullopt;
+  const Pose2D here = poses[found->from] * found->motion;
+  const Pose2D expected = poses[earlier->from] * earlier->motion *
+                          (poses[earlier->to].Inverse() * poses[found->to]);
+  const Pose2D off = expected.Inverse() * here;
+  if (off.position().norm() > kAgreeingDistance ||
+      std::abs(off.theta) > kAgreeingAngle) {
+    return std::nullopt;
+  }
+  unconfirmed_.reset();
   return found;
 }
 
@@ -123,10 +146,12 @@ std::optional<PoseConstraint> LoopCloser::FindNear(
   HitField field = matcher_.MakeField();
   for (std::size_t i = 0; i < count; ++i) {
     const int index = neighbours[i].index;
-    field.Add(nodes[index].points, poses[index]);
+    field.Add(nodes[index].shape.walls, poses[index]);
   }
-  return Match(field, nodes.back().points, guess, parameters_.near_window,
-               parameters_.near_angle, neighbours.front().index, poses);
+  return Match(field, nodes.back().shape.probes, guess,
+               {parameters_.near_window, parameters_.near_angle, kNearPenalty,
+                parameters_.near_fit},
+               neighbours.front().index, poses);
 }
 
 std::optional<PoseConstraint> LoopCloser::FindFar(
@@ -147,31 +172,33 @@ std::optional<PoseConstraint> LoopCloser::FindFar(
   HitField field = matcher_.MakeField();
   for (int i = std::max(0, anchor - kFarSubmap);
        i <= anchor + kFarSubmap && IsOld(nodes, i); ++i) {
-    field.Add(nodes[i].points, poses[i]);
+    field.Add(nodes[i].shape.walls, poses[i]);
   }
-  return Match(field, NewestPoints(nodes, poses), guess, window, kFarAngle,
-               anchor, poses);
+  return Match(field, NewestPoints(nodes, poses), guess,
+               {window, kFarAngle, kFarPenalty, parameters_.far_fit}, anchor,
+               poses);
 }
 
 std::optional<PoseConstraint> LoopCloser::Match(
     const HitField& field, const std::vector<Eigen::Vector2d>& points,
-    const Pose2D& guess, double window, double angle, int anchor,
+    const Pose2D& guess, const Window& window, int anchor,
     const std::vector<Pose2D>& poses) const {
   SearchWindow search;
-  search.linear = window;
-  search.angular = angle;
+  search.linear = window.linear;
+  search.angular = window.angular;
   search.angular_step = matcher_.parameters().angular_step;
-  search.linear_penalty = kEdgePenalty / (window * window);
-  search.angular_penalty = kEdgePenalty / (angle * angle);
+  search.linear_penalty = window.penalty / (window.linear * window.linear);
+  search.angular_penalty = window.penalty / (window.angular * window.angular);
   // Aligned below the cell the fit becomes better than the score.
-  const double least_score = 0.8 * parameters_.least_fit;
+  const double least_score = 0.8 * window.least_fit;
   const std::optional<SearchResult> found =
       SearchPose(field, points, guess, search, least_score);
   if (!found) return std::nullopt;
   const Alignment alignment =
       matcher_.Align(field, points, found->pose,
                      PoseBelief{found->pose, Eigen::Matrix3d::Zero()});
-  if (alignment.fit < parameters_.least_fit) return std::nullopt;
+  if (alignment.fit - (found->score - found->value) < window.least_fit)
+    return std::nullopt;
   const Pose2D& from = poses[anchor];
   return PoseConstraint{
       anchor, static_cast<int>(poses.size()) - 1,

@@ -27,11 +27,10 @@ ParticleFilter::ParticleFilter(const ParticleFilterParameters& parameters,
       particles_(parameters.particles, Particle{{}, 0.0, matcher.MakeField()}) {
 }
 
-void ParticleFilter::AddScan(const std::vector<Eigen::Vector2d>& points,
-                             const Pose2D& motion) {
+void ParticleFilter::AddScan(const ScanShape& shape, const Pose2D& motion) {
   if (particles_.front().trajectory.empty()) {
     HitField field = particles_.front().field;
-    field.Add(points, start_);
+    field.Add(shape.walls, start_);
     Restart({start_}, field);
     return;
   }
@@ -39,18 +38,19 @@ void ParticleFilter::AddScan(const std::vector<Eigen::Vector2d>& points,
   // scan is looked for once.
   const PoseBelief likely = Predict(best(), motion);
   const Pose2D correction =
-      points.empty() ? Pose2D()
-                     : likely.mean.Inverse() *
-                           matcher_.FindCoarse(best().field, points, likely);
+      shape.probes.empty()
+          ? Pose2D()
+          : likely.mean.Inverse() *
+                matcher_.FindCoarse(best().field, shape.probes, likely);
   for (Particle& particle : particles_) {
-    Move(particle, points, motion, correction);
+    Move(particle, shape.probes, motion, correction);
   }
   if (EffectiveParticles() <
       parameters_.resample_threshold * particles_.size()) {
     Resample();
   }
   for (Particle& particle : particles_) {
-    particle.field.Add(points, particle.pose());
+    particle.field.Add(shape.walls, particle.pose());
   }
 }
 

@@ -43,13 +43,13 @@ bool Slam::AddScan(const LaserScan& scan, const Pose2D& base_from_laser,
   if (!nodes_.empty() && !IsDue(motion)) return false;
   last_odometry_ = odometry;
   SlamNode node;
-  node.points = matcher_.Points(scan, base_from_laser);
+  node.shape = matcher_.Shape(scan, base_from_laser);
   if (!nodes_.empty()) {
     node.path = nodes_.back().path + motion.position().norm() +
                 kPathPerTurn * std::abs(motion.theta);
   }
   nodes_.push_back(std::move(node));
-  filter_.AddScan(nodes_.back().points, motion);
+  filter_.AddScan(nodes_.back().shape, motion);
   if (!parameters_.loop_closure) {
     FollowFilter();
   } else if (nodes_.size() == 1) {
@@ -109,7 +109,7 @@ void Slam::Solve() {
   trajectory_ = OptimizePoses(trajectory_, constraints_, parameters_.graph);
   HitField field = matcher_.MakeField();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    field.Add(nodes_[i].points, trajectory_[i]);
+    field.Add(nodes_[i].shape.walls, trajectory_[i]);
   }
   filter_.Restart(trajectory_, field);
   solved_at_ = nodes_.size();

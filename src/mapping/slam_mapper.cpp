@@ -84,11 +84,6 @@ void SlamMapper::LocalizeFrom(const Pose2D& pose) {
   kept_.clear();
 }
 
-SlamMapper::View SlamMapper::Look(const LaserScan& scan,
-                                  const Pose2D& base_from_laser) const {
-  return {matcher_.Points(scan, base_from_laser), base_from_laser.position()};
-}
-
 MapChange SlamMapper::AddScan(const LaserScan& scan,
                               const Pose2D& base_from_laser,
                               const Pose2D& odom_from_base) {
@@ -128,16 +123,16 @@ void SlamMapper::FollowInMap(const LaserScan& scan,
   const Pose2D motion = localized_odometry_.Inverse() * guarded_odometry_;
   if (localization_.is_lost) {
     if (localized_at_ && scan.stamp - *localized_at_ < kSearchPeriod) return;
-    const View view = Look(scan, base_from_laser);
     localization_.is_lost =
-        !localizer_->FindAgain(view.points, view.laser, motion);
+        !localizer_->FindAgain(matcher_.Shape(scan, base_from_laser).probes,
+                               base_from_laser.position(), motion);
     doubts_ = 0;
   } else {
     const bool is_due =
         motion.position().norm() >= parameters_.slam.linear_update ||
         std::abs(motion.theta) >= parameters_.slam.angular_update;
     if (localized_at_ && !is_due) return;
-    localizer_->AddScan(Look(scan, base_from_laser).points, motion);
+    localizer_->AddScan(matcher_.Shape(scan, base_from_laser), motion);
   }
   localized_odometry_ = guarded_odometry_;
   localized_at_ = scan.stamp;
@@ -148,9 +143,9 @@ void SlamMapper::Judge(const LaserScan& scan, const Pose2D& base_from_laser,
   if (localization_.is_lost || !(slam_ || localizer_)) return;
   if (judged_at_ && std::abs(scan.stamp - *judged_at_) < kJudgingPeriod) return;
   judged_at_ = scan.stamp;
-  const View view = Look(scan, base_from_laser);
-  const MapAgreement agreement = CompareWithMap(
-      grid_.grid(), view.points, view.laser, pose, ReachOf(grid_.grid()));
+  const MapAgreement agreement =
+      CompareWithMap(grid_.grid(), matcher_.Shape(scan, base_from_laser).probes,
+                     base_from_laser.position(), pose, ReachOf(grid_.grid()));
   localization_.agreement = agreement;
   const bool is_doubtful =
       agreement.known >= kFewestKnown &&

@@ -37,13 +37,14 @@ class Localizer {
             const Pose2D& pose);
 
   /// Takes in a scan.
-  /// @param[in] points m, in the base's frame; see ScanMatcher::Points.
+  /// @param[in] shape as ScanMatcher::Shape gives it.
   /// @param[in] motion of the base since the last scan, by odometry.
-  void AddScan(const std::vector<Eigen::Vector2d>& points,
-               const Pose2D& motion);
+  void AddScan(const ScanShape& shape, const Pose2D& motion);
 
   /// Looks for the robot in a wide window around its pose.
-  /// @param[in] laser m, where the points were seen from, in the base's frame.
+  /// @param[in] points m, in the base's frame.
+  /// @param[in] laser m, where they were seen from, likewise.
+  /// @param[in] motion as in AddScan.
   /// @return false when it fits nowhere well enough.
   bool FindAgain(const std::vector<Eigen::Vector2d>& points,
                  const Eigen::Vector2d& laser, const Pose2D& motion);
@@ -53,9 +54,7 @@ class Localizer {
  private:
   Pose2D Search(const std::vector<Eigen::Vector2d>& points,
                 const Pose2D& centre, double distance, double angle) const;
-  void Settle(const std::vector<Eigen::Vector2d>& points,
-              const PoseBelief& prior, const Pose2D& start);
-  void AddUnknown(const std::vector<Eigen::Vector2d>& points);
+  void AddUnknown(const std::vector<Eigen::Vector2d>& walls);
 
   LocalizerParameters parameters_;
   ScanMatcher matcher_;

@@ -21,7 +21,8 @@ struct LoopCloserParameters {
   double near_window = 0.4;    ///< m
   double near_angle = 0.15;    ///< rad
   double near_path = 15.0;     ///< m of path since the last loop, at most.
-  double least_fit = 0.6;      ///< 0 to 1; see Alignment::fit.
+  double near_fit = 0.6;       ///< 0 to 1, at least; see Alignment::fit.
+  double far_fit = 0.65;       ///< the same for the wide search.
   double drift = 0.03;         ///< m per m of path, widens the wide search.
   double widest_window = 6.0;  ///< m
   double loop_weight = 0.3;    ///< of a loop's information, as scans repeat
@@ -32,14 +33,15 @@ struct LoopCloserParameters {
 
 /// A scan that is kept, with its place in the graph.
 struct SlamNode {
-  std::vector<Eigen::Vector2d> points;  ///< m, base frame.
+  ScanShape shape;
   double path = 0.0;  ///< m driven until then; turning counts too.
 };
 
 /// Finds constraints between a scan and earlier ones: its predecessors, and old
 /// ones that it meets again. Looks in a small window while the last loop is not
 /// long ago. After that it looks as far as the pose may have drifted, and then
-/// with the newest scans together, as one scan alone fits in many places.
+/// with the newest scans together, as one scan alone fits in many places; and
+/// two such searches in a row have to agree.
 class LoopCloser {
  public:
   LoopCloser(const LoopCloserParameters& parameters, const ScanMatcher& matcher)
@@ -63,6 +65,12 @@ class LoopCloser {
                                          const Pose2D& guess);
 
  private:
+  struct Window {
+    double linear;     ///< m to all four sides.
+    double angular;    ///< rad to both sides.
+    double penalty;    ///< of the fit, at an edge of the window.
+    double least_fit;  ///< less the penalty.
+  };
   std::optional<PoseConstraint> FindNear(const std::vector<SlamNode>& nodes,
                                          const std::vector<Pose2D>& poses,
                                          const Pose2D& guess) const;
@@ -70,15 +78,20 @@ class LoopCloser {
                                         const std::vector<Pose2D>& poses,
                                         const Pose2D& guess,
                                         double path_since_loop) const;
+  /// Lets a wide search's result pass when it agrees with the one before.
+  std::optional<PoseConstraint> Confirm(
+      const std::optional<PoseConstraint>& found,
+      const std::vector<Pose2D>& poses);
   bool IsOld(const std::vector<SlamNode>& nodes, int index) const;
   std::optional<PoseConstraint> Match(
       const HitField& field, const std::vector<Eigen::Vector2d>& points,
-      const Pose2D& guess, double window, double angle, int anchor,
+      const Pose2D& guess, const Window& window, int anchor,
       const std::vector<Pose2D>& poses) const;
 
   LoopCloserParameters parameters_;
   ScanMatcher matcher_;
   double last_loop_path_ = 0.0;
+  std::optional<PoseConstraint> unconfirmed_;  ///< of the last wide search.
 };
 
 }  // namespace vfh_astar

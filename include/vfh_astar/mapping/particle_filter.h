@@ -52,12 +52,11 @@ class ParticleFilter {
                  const Pose2D& start = Pose2D());
 
   /// Takes in a scan.
-  /// @param[in] points m, in the base's frame; see ScanMatcher::Points. A scan
-  ///   without points moves the particles by odometry alone.
+  /// @param[in] shape as ScanMatcher::Shape gives it. A scan without hits moves
+  ///   the particles by odometry alone.
   /// @param[in] motion of the base since the last scan, by odometry; ignored
   ///   for the first scan, which lies at the start.
-  void AddScan(const std::vector<Eigen::Vector2d>& points,
-               const Pose2D& motion);
+  void AddScan(const ScanShape& shape, const Pose2D& motion);
 
   /// Puts all particles on one history: what is known better from elsewhere.
   /// @param[in] trajectory a pose for every scan added.

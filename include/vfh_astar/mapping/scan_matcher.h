@@ -12,12 +12,18 @@
 
 namespace vfh_astar {
 
+/// A scan as SLAM keeps it, in m, in the frame of the base.
+struct ScanShape {
+  std::vector<Eigen::Vector2d> probes;  ///< what is matched against a field.
+  std::vector<Eigen::Vector2d> walls;   ///< what is put into one.
+};
+
 struct ScanMatcherParameters {
   double max_range = 20.0;     ///< m; farther hits are not matched.
   double point_spacing = 0.1;  ///< m between the points kept of a scan.
   double resolution = 0.05;    ///< m per cell of a field.
   double sigma = 0.05;         ///< m, of a hit in a field.
-  double gain = 0.75;          ///< what a hit adds, of what is missing to 1.
+  double gain = 0.5;           ///< what a hit adds, of what is missing to 1.
   /// Nats that a point on a wall is better than one far from all. Less than
   /// sigma over the laser's noise, squared, would give, as neighbours err
   /// alike.
@@ -44,12 +50,12 @@ class ScanMatcher {
                     parameters_.gain);
   }
 
-  /// The hits of a scan that count, thinned so that a near wall does not
-  /// outvote a far one.
-  /// @param[in] base_from_laser the laser in the frame the points are wanted
-  /// in.
-  std::vector<Eigen::Vector2d> Points(const LaserScan& scan,
-                                      const Pose2D& base_from_laser) const;
+  /// The hits of a scan that count. The probes are thinned, so that a near wall
+  /// does not outvote a far one. The walls have points at even distances, also
+  /// between neighbouring hits on one surface (see IsOneSurface): else the next
+  /// scan would be drawn to where this one's beams happened to fall.
+  /// @param[in] base_from_laser the laser in the base's frame.
+  ScanShape Shape(const LaserScan& scan, const Pose2D& base_from_laser) const;
 
   /// The coarse search around where odometry leads.
   /// @param[in] prior its information bounds how far a match may lie.

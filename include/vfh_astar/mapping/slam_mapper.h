@@ -86,13 +86,6 @@ class SlamMapper {
     Pose2D base_from_laser;
   };
 
-  /// What a scan is for the one that localises.
-  struct View {
-    std::vector<Eigen::Vector2d> points;  ///< m, base frame.
-    Eigen::Vector2d laser;                ///< m, likewise.
-  };
-
-  View Look(const LaserScan& scan, const Pose2D& base_from_laser) const;
   Pose2D Localize(const LaserScan& scan, const Pose2D& base_from_laser);
   void FollowInMap(const LaserScan& scan, const Pose2D& base_from_laser);
   void Judge(const LaserScan& scan, const Pose2D& base_from_laser,

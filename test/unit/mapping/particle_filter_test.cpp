@@ -22,7 +22,7 @@ void DriveAhead(int scans, ParticleFilter& filter) {
   const Building ring = RingCorridor();
   for (int i = 0; i < scans; ++i) {
     const Pose2D pose(0.5 * i, 0.0, 0.0);
-    filter.AddScan(matcher.Points(Look(ring, pose, 0.01, random), {}),
+    filter.AddScan(matcher.Shape(Look(ring, pose, 0.01, random), {}),
                    {0.5, 0.0, 0.0});
   }
 }
