@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vfh_astar {
 
@@ -31,6 +32,26 @@ std::optional<std::string> DescribeDefect(const LaserScan& scan) {
            "+inf";
   }
   return std::nullopt;
+}
+
+LaserScan WithoutLostBeams(LaserScan scan) {
+  constexpr std::size_t kMostLost = 2;  // side by side
+  std::vector<float>& ranges = scan.ranges;
+  for (std::size_t first = 1; first < ranges.size();) {
+    if (!scan.IsFree(ranges[first]) || !scan.IsHit(ranges[first - 1])) {
+      ++first;
+      continue;
+    }
+    std::size_t end = first;
+    while (end < ranges.size() && scan.IsFree(ranges[end])) ++end;
+    if (end - first <= kMostLost && end < ranges.size() &&
+        scan.IsHit(ranges[end])) {
+      std::fill(ranges.begin() + first, ranges.begin() + end,
+                std::numeric_limits<float>::quiet_NaN());
+    }
+    first = end;
+  }
+  return scan;
 }
 
 std::vector<Eigen::Vector2d> HitPoints(const LaserScan& scan,

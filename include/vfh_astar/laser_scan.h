@@ -39,6 +39,11 @@ struct LaserScan {
 /// must not pass for an empty room), or nothing when it can be used.
 std::optional<std::string> DescribeDefect(const LaserScan& scan);
 
+/// The scan with NaN where one or two beams saw nothing between neighbours that
+/// hit something. Lasers lose a beam now and then, and what is lost looks like
+/// open space; a real opening is seen by more beams, or not worth a look.
+LaserScan WithoutLostBeams(LaserScan scan);
+
 /// The hits of a scan as points.
 /// @param[in] laser_pose the laser in the frame the points are wanted in. A
 ///   laser mounted upside down is handled where the scan comes in, by turning

@@ -89,7 +89,7 @@ MapChange GridMapper::AddScan(const LaserScan& scan, const Pose2D& laser_pose) {
   last_pose_ = laser_pose;
   const GridGeometry before = grid_.geometry();
   change.inserted = true;
-  change.window = inserter_.Insert(scan, laser_pose, grid_);
+  change.window = inserter_.Insert(WithoutLostBeams(scan), laser_pose, grid_);
   change.resized = grid_.geometry() != before;
   return change;
 }

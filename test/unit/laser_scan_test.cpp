@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <set>
 
 namespace vfh_astar {
 namespace {
@@ -44,6 +46,27 @@ TEST(LaserScanTest, HitsBecomePointsWhereTheyAre) {
   EXPECT_NEAR(points[0].y(), 1.0, 1e-6);
   EXPECT_NEAR(points[1].x(), 8.0, 1e-6);
   EXPECT_NEAR(points[1].y(), 0.0, 1e-6);
+}
+
+TEST(WithoutLostBeamsTest, TakesOneOrTwoBetweenHitsForLost) {
+  LaserScan scan = Usable();
+  const float nan = std::nanf("");
+  // Lost: 1 and 3 to 4. Kept: three side by side, those at either end, and one
+  // beside a beam that measured nothing.
+  scan.ranges = {1.0f, kInfinity, 1.0f,      kInfinity, kInfinity,
+                 1.0f, kInfinity, kInfinity, kInfinity, 1.0f,
+                 nan,  kInfinity, 1.0f,      kInfinity};
+  const LaserScan seen = WithoutLostBeams(scan);
+  const std::set<std::size_t> lost = {1, 3, 4};
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (lost.count(i) != 0 || std::isnan(scan.ranges[i])) {
+      EXPECT_TRUE(std::isnan(seen.ranges[i])) << i;
+    } else {
+      EXPECT_EQ(seen.ranges[i], scan.ranges[i]) << i;
+    }
+  }
+  scan.ranges = {kInfinity, 1.0f};
+  EXPECT_EQ(WithoutLostBeams(scan).ranges, scan.ranges);
 }
 
 TEST(DescribeDefectTest, NamesEachDefect) {
