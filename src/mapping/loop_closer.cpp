@@ -47,22 +47,6 @@ std::vector<Eigen::Vector2d> NewestPoints(const std::vector<SlamNode>& nodes,
 
 }  // namespace
 
-void LoopCloserParameters::Read(ParameterReader& reader) {
-  reader.Integer("recent_scans", recent_scans, 1, 1000);
-  reader.Integer("gap_scans", gap_scans, 1, 10000);
-  reader.Number("gap_distance", gap_distance, 0.0, 1000.0);
-  reader.Number("near_radius", near_radius, 0.1, 100.0);
-  reader.Integer("near_scans", near_scans, 1, 1000);
-  reader.Number("near_window", near_window, 0.05, 5.0);
-  reader.Number("near_angle", near_angle, 0.01, kPi);
-  reader.Number("near_path", near_path, 0.0, 1000.0);
-  reader.Number("near_fit", near_fit, 0.05, 1.0);
-  reader.Number("far_fit", far_fit, 0.05, 1.0);
-  reader.Number("drift", drift, 0.0, 0.5);
-  reader.Number("widest_window", widest_window, 0.5, 30.0);
-  reader.Number("loop_weight", loop_weight, 0.001, 1.0);
-}
-
 PoseConstraint LoopCloser::TieToPredecessor(const std::vector<SlamNode>& nodes,
                                             const std::vector<Pose2D>& poses,
                                             const PoseBelief& prior,

@@ -15,8 +15,6 @@ void MotionModelParameters::Read(ParameterReader& reader) {
   reader.Number("srt", srt, 0.0, 2.0);
   reader.Number("str", str, 0.0, 2.0);
   reader.Number("stt", stt, 0.0, 2.0);
-  reader.Number("linear_floor", linear_floor, 1e-4, 1.0);
-  reader.Number("angular_floor", angular_floor, 1e-4, 1.0);
 }
 
 Eigen::Matrix3d MotionCovariance(const MotionModelParameters& parameters,

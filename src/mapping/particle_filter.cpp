@@ -10,8 +10,6 @@ namespace vfh_astar {
 
 void ParticleFilterParameters::Read(ParameterReader& reader) {
   reader.Integer("particles", particles, 1, 1000);
-  reader.Number("weight_scale", weight_scale, 0.0, 1.0);
-  reader.Number("draw_scale", draw_scale, 0.0, 2.0);
   reader.Number("resample_threshold", resample_threshold, 0.0, 1.0);
 }
 

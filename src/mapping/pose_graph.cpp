@@ -73,11 +73,6 @@ ceres::Solver::Options SolverOptions(const PoseGraphParameters& parameters) {
 
 }  // namespace
 
-void PoseGraphParameters::Read(ParameterReader& reader) {
-  reader.Number("doubt_width", doubt_width, 0.01, 100.0);
-  reader.Integer("max_iterations", max_iterations, 1, 1000);
-}
-
 Eigen::Matrix3d InFrameOf(const Pose2D& from,
                           const Eigen::Matrix3d& map_information) {
   const double c = std::cos(from.theta);

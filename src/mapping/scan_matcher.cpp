@@ -74,14 +74,10 @@ bool AddSurface(const std::vector<BeamHit>& hits, std::size_t to,
 
 void ScanMatcherParameters::Read(ParameterReader& reader) {
   reader.Number("max_range", max_range, 1.0, 200.0);
-  reader.Number("point_spacing", point_spacing, 0.0, 1.0);
   reader.Number("resolution", resolution, 0.01, 0.5);
   reader.Number("sigma", sigma, 0.01, 0.5);
-  reader.Number("gain", gain, 0.05, 1.0);
-  reader.Number("point_weight", point_weight, 0.01, 10.0);
   reader.Number("linear_window", linear_window, 0.05, 5.0);
   reader.Number("angular_window", angular_window, 0.01, kPi);
-  reader.Number("angular_step", angular_step, 0.001, 0.1);
 }
 
 ScanShape ScanMatcher::Shape(const LaserScan& scan,

@@ -26,8 +26,6 @@ void SlamParameters::Read(ParameterReader& reader) {
   reader.Group("matcher", matcher);
   motion.Read(reader);
   filter.Read(reader);
-  reader.Group("loops", loops);
-  reader.Group("graph", graph);
 }
 
 Slam::Slam(const SlamParameters& parameters, std::uint32_t seed,

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "vfh_astar/mapping/grid_mapper.h"
+#include "vfh_astar/mapping/slam_mapper.h"
 #include "vfh_astar/navigation/navigator_parameters.h"
 #include "vfh_astar/parameters.h"
 #include "vfh_astar/planning/path_planner.h"
@@ -48,7 +48,7 @@ class ConfigTest : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(ConfigTest, NamesEveryParameter) {
-  ReadWhole<GridMapperParameters>("grid_mapper");
+  ReadWhole<SlamMapperParameters>("grid_mapper");
   const auto planner = ReadWhole<PathPlannerParameters>("path_planner");
   const auto fitter =
       ReadWhole<TrajectoryFitterParameters>("trajectory_fitter");

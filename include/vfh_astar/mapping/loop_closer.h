@@ -8,7 +8,6 @@
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/mapping/pose_graph.h"
 #include "vfh_astar/mapping/scan_matcher.h"
-#include "vfh_astar/parameters.h"
 
 namespace vfh_astar {
 
@@ -27,8 +26,6 @@ struct LoopCloserParameters {
   double widest_window = 6.0;  ///< m
   double loop_weight = 0.3;    ///< of a loop's information, as scans repeat
                                ///< what they say.
-
-  void Read(ParameterReader& reader);
 };
 
 /// A scan that is kept, with its place in the graph.

@@ -15,7 +15,7 @@
 namespace vfh_astar {
 
 struct ParticleFilterParameters {
-  int particles = 30;  ///< 1 is plain scan matching.
+  int particles = 5;  ///< 1 is plain scan matching.
   /// Scales what a scan says about the particles against each other; below 1,
   /// as scans that overlap repeat what they say.
   double weight_scale = 0.3;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "vfh_astar/geometry.h"
-#include "vfh_astar/parameters.h"
 
 namespace vfh_astar {
 
@@ -31,8 +30,6 @@ struct PoseGraphParameters {
   /// less (Cauchy).
   double doubt_width = 1.0;
   int max_iterations = 20;
-
-  void Read(ParameterReader& reader);
 };
 
 /// The poses that meet the constraints best, by Ceres's sparse Levenberg-
