@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "vfh_astar/planning/jump_point_search.h"
 #include "vfh_astar/planning/moving_ai.h"
+#include "vfh_astar/planning/uniform_search.h"
 
 namespace vfh_astar {
 namespace {
@@ -34,9 +34,9 @@ Queries Choose(Queries queries, const PlannerBenchmarkOptions& options) {
   return chosen;
 }
 
-JumpPointSearch SearchOn(const Grid<std::uint8_t>& blocked) {
+UniformSearch SearchOn(const Grid<std::uint8_t>& blocked) {
   const GridGeometry& geometry = blocked.geometry();
-  JumpPointSearch search(geometry.width, geometry.height);
+  UniformSearch search(geometry.width, geometry.height);
   for (int y = 0; y < geometry.height; ++y) {
     for (int x = 0; x < geometry.width; ++x) {
       if (blocked[{x, y}] != 0) search.SetBlocked({x, y}, true);
@@ -55,7 +55,7 @@ PlannerFigures RunPlannerBenchmark(const PlannerBenchmarkOptions& options) {
   if (queries.empty()) {
     throw MovingAiError(options.scenario + ": no query; expected at least one");
   }
-  JumpPointSearch search = SearchOn(blocked);
+  UniformSearch search = SearchOn(blocked);
 
   PlannerTally tally;
   for (const MovingAiQuery& query : queries) {
