@@ -13,7 +13,7 @@ from driver import barn, drive_runs, poses, scene
 # What the benchmark program does in one run, with options of its own.
 _PROGRAM_COMMANDS = {
     "drive": "one drive in one world",
-    "planner": "the path search over scenarios of the MovingAI benchmark",
+    "planner": "the path search over MovingAI scenarios or a world's map",
     "simulator": "the simulator's speed",
 }
 
