@@ -8,7 +8,8 @@ namespace vfh_astar {
 
 /// Shortest paths over cells that are blocked or free, by the search that is
 /// likely to be the quicker one between start and goal: JumpPointSearch in the
-/// open, CanonicalSearch among dense obstacles. Both find the same length.
+/// open and between walls, CanonicalSearch among scattered obstacles. Both find
+/// the same length.
 class UniformSearch {
  public:
   /// A map of free cells.
@@ -23,14 +24,16 @@ class UniformSearch {
 
   /// @param[in] start, goal free cells of the map.
   JumpPointResult Run(const Cell& start, const Cell& goal) {
-    return IsDense(start, goal) ? stepping_.Run(start, goal)
-                                : jumping_.Run(start, goal);
+    return IsScattered(start, goal) ? stepping_.Run(start, goal)
+                                    : jumping_.Run(start, goal);
   }
 
-  /// True when obstacles begin and end often on the straight line.
-  bool IsDense(const Cell& start, const Cell& goal) const;
+  /// True when single blocked cells are many on the straight line.
+  bool IsScattered(const Cell& start, const Cell& goal) const;
 
  private:
+  bool StandsAlone(const Cell& cell) const;
+
   JumpPointSearch jumping_;
   CanonicalSearch stepping_;
 };

@@ -162,19 +162,21 @@ TYPED_TEST(UniformCost, IsAsShortAsDijkstra) {
   EXPECT_GT(unreachable, 100);
 }
 
-TEST(UniformSearch, TellsDenseObstaclesFromOpenSpace) {
+TEST(UniformSearch, TellsScatteredObstaclesFromWalls) {
   std::mt19937 random(5);
   UniformSearch search(200, 200);
-  EXPECT_FALSE(search.IsDense({0, 0}, {199, 199}));
-  // A wall and a room are not dense.
-  for (int x = 80; x < 120; ++x) search.SetBlocked({x, 100}, true);
-  EXPECT_FALSE(search.IsDense({0, 0}, {199, 199}));
+  EXPECT_FALSE(search.IsScattered({0, 0}, {199, 199}));
+  // Walls are not scattered, however close they are.
+  for (int x = 0; x < 200; x += 3) {
+    for (int y = 0; y < 190; ++y) search.SetBlocked({x, y}, true);
+  }
+  EXPECT_FALSE(search.IsScattered({0, 0}, {199, 199}));
   for (int y = 0; y < 200; ++y) {
     for (int x = 0; x < 200; ++x) {
-      if (random() % 4 == 0) search.SetBlocked({x, y}, true);
+      search.SetBlocked({x, y}, random() % 4 == 0);
     }
   }
-  EXPECT_TRUE(search.IsDense({0, 0}, {199, 199}));
+  EXPECT_TRUE(search.IsScattered({0, 0}, {199, 199}));
 }
 
 }  // namespace
