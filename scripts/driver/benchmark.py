@@ -14,7 +14,7 @@ from driver import barn, drive_runs, paper_scenes, poses, scene
 _PROGRAM_COMMANDS = {
     "drive": "one drive in one world",
     "mapping": "the map and the poses made of a CARMEN log",
-    "planner": "the path search over scenarios of the MovingAI benchmark",
+    "planner": "the path search over MovingAI scenarios or a world's map",
     "simulator": "the simulator's speed",
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <optional>
 #include <vector>
 
-#include "vfh_astar/planning/jump_point_search.h"
 #include "vfh_astar/planning/moving_ai.h"
+#include "vfh_astar/planning/uniform_search.h"
 
 namespace vfh_astar {
 namespace {
@@ -34,18 +34,9 @@ Queries Choose(Queries queries, const PlannerBenchmarkOptions& options) {
   return chosen;
 }
 
-/// The value that a part of all values does not exceed.
-template <typename T>
-T Quantile(std::vector<T> values, double part) {
-  const auto rank = static_cast<std::size_t>(
-      std::min<double>(part * values.size(), values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[rank];
-}
-
-JumpPointSearch SearchOn(const Grid<std::uint8_t>& blocked) {
+UniformSearch SearchOn(const Grid<std::uint8_t>& blocked) {
   const GridGeometry& geometry = blocked.geometry();
-  JumpPointSearch search(geometry.width, geometry.height);
+  UniformSearch search(geometry.width, geometry.height);
   for (int y = 0; y < geometry.height; ++y) {
     for (int x = 0; x < geometry.width; ++x) {
       if (blocked[{x, y}] != 0) search.SetBlocked({x, y}, true);
@@ -64,11 +55,9 @@ PlannerFigures RunPlannerBenchmark(const PlannerBenchmarkOptions& options) {
   if (queries.empty()) {
     throw MovingAiError(options.scenario + ": no query; expected at least one");
   }
-  JumpPointSearch search = SearchOn(blocked);
+  UniformSearch search = SearchOn(blocked);
 
-  PlannerFigures figures;
-  std::vector<double> times_ms;
-  std::vector<std::int64_t> nodes;
+  PlannerTally tally;
   for (const MovingAiQuery& query : queries) {
     if (search.IsBlocked(query.start) || search.IsBlocked(query.goal)) {
       throw MovingAiError(
@@ -78,20 +67,13 @@ PlannerFigures RunPlannerBenchmark(const PlannerBenchmarkOptions& options) {
     }
     const Clock::time_point begin = Clock::now();
     const JumpPointResult result = search.Run(query.start, query.goal);
-    times_ms.push_back(
-        std::chrono::duration<double, std::milli>(Clock::now() - begin)
-            .count());
-    nodes.push_back(result.nodes_expanded);
-    ++figures.queries;
-    if (!result.is_found) continue;
-    ++figures.solved;
-    figures.max_cost_error = std::max(figures.max_cost_error,
-                                      std::abs(result.length - query.length));
+    const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
+    tally.Add(time.count(), result.nodes_expanded,
+              result.is_found
+                  ? std::optional<double>(result.length - query.length)
+                  : std::nullopt);
   }
-  figures.median_ms = Quantile(times_ms, 0.5);
-  figures.p95_ms = Quantile(times_ms, 0.95);
-  figures.nodes_expanded_median = Quantile(nodes, 0.5);
-  return figures;
+  return tally.Figures();
 }
 
 }  // namespace vfh_astar

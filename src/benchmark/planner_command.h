@@ -5,8 +5,9 @@
 
 namespace vfh_astar {
 
-/// `planner`: the queries of a MovingAI scenario.
-/// Its run throws MovingAiError for unusable files.
+/// `planner`: the queries of a MovingAI scenario, or random ones on a
+/// map_server map. Its run throws MovingAiError or MapFileError for unusable
+/// files and WorldPlannerError for an unusable map.
 Command PlannerCommand();
 
 }  // namespace vfh_astar

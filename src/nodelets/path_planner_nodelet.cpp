@@ -1,9 +1,14 @@
 #include <nav_msgs/GetPlan.h>
 #include <nodelet/nodelet.h>
+#include <ros/callback_queue.h>
+#include <ros/spinner.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <condition_variable>
+#include <deque>
+#include <future>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -37,41 +42,57 @@ struct PathPlannerNodeletParameters {
   }
 };
 
-/// What the planning thread shares with the callbacks.
-struct PlanningDesk {
-  explicit PlanningDesk(const PathPlannerParameters& parameters)
-      : planner(parameters) {}
+/// Somebody's wish for a plan who waits for it.
+struct PlanQuestion {
+  PlanRequest request;
+  std::promise<PlanResult> answer;
+};
 
-  PathPlanner planner;
-  std::optional<MotionQuery> query;   ///< waits to be planned.
-  std::vector<Eigen::Vector2d> path;  ///< the last one found.
+struct MapWindow {
+  cv::Rect cells;
+  std::vector<std::int8_t> values;
+};
+
+/// What the callbacks leave for the planning thread.
+struct PlanningDesk {
+  std::optional<OccupancyGrid> map;
+  std::vector<MapWindow> windows;    ///< of the map, or of the one before it.
+  std::optional<MotionQuery> query;  ///< goes before the questions.
+  std::deque<PlanQuestion> questions;
+  bool wants_inflated_map = false;
   bool is_closing = false;
+
+  bool HasWork() const {
+    return is_closing || map || !windows.empty() || query ||
+           !questions.empty() || wants_inflated_map;
+  }
 };
 
 }  // namespace
 
-/// Questions and the map in; plans out. Plans in a thread of its own, so that a
-/// newer question can cut short the one that is being planned. `make_plan` is
-/// answered by the same planner between two of them: a plan takes milliseconds,
-/// a second planner as much memory again as the first.
+/// Requests and the map in; plans out. The planner belongs to a thread of its
+/// own, for which the callbacks leave what has come, so that no search makes
+/// them wait. A newer request cuts short whatever is being planned. `make_plan`
+/// is answered by the same planner while no request waits: a plan takes
+/// milliseconds, a second planner as much memory again as the first.
 class PathPlannerNodelet : public nodelet::Nodelet {
  public:
   ~PathPlannerNodelet() override {
     if (!thread_.joinable()) return;
-    is_outdated_ = true;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      desk_->is_closing = true;
-    }
-    wake_.notify_one();
+    Leave([this](PlanningDesk& desk) {
+      desk.is_closing = true;
+      is_outdated_ = true;
+    });
     thread_.join();
+    // Whoever waits for an answer has one by now.
+    service_spinner_->stop();
   }
 
  private:
   void onInit() override {
     parameters_ =
         ReadParameters<PathPlannerNodeletParameters>(getPrivateNodeHandle());
-    desk_ = std::make_unique<PlanningDesk>(parameters_.planner);
+    planner_ = std::make_unique<PathPlanner>(parameters_.planner);
     ros::NodeHandle& node = getNodeHandle();
     plan_publisher_ = node.advertise<nav_msgs::Path>("plan", 1);
     failure_publisher_ = node.advertise<MotionFailure>("plan_failure", 10);
@@ -87,54 +108,120 @@ class PathPlannerNodelet : public nodelet::Nodelet {
     query_subscriber_ = node.subscribe<MotionQuery>(
         "plan_request", 10,
         [this](const MotionQueryConstPtr& query) { OnQuery(*query); });
+    AdvertiseServices(node);
+    inflated_timer_ =
+        node.createTimer(ros::Duration(parameters_.inflated_map_period),
+                         [this](const ros::TimerEvent&) { OnInflatedTimer(); });
+  }
+
+  void AdvertiseServices(ros::NodeHandle node) {
+    // A caller waits in a queue of its own, and keeps nothing else waiting.
+    node.setCallbackQueue(&service_queue_);
     services_ = {node.advertiseService("make_plan",
                                        &PathPlannerNodelet::OnMakePlan, this),
                  // Where clients of move_base look for it.
                  node.advertiseService("move_base/make_plan",
                                        &PathPlannerNodelet::OnMakePlan, this)};
-    inflated_timer_ = node.createTimer(
-        ros::Duration(parameters_.inflated_map_period),
-        [this](const ros::TimerEvent&) { PublishInflatedMap(); });
+    service_spinner_ = std::make_unique<ros::AsyncSpinner>(1, &service_queue_);
+    service_spinner_->start();
   }
 
-  void OnMap(const OccupancyGrid& map) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    desk_->planner.SetMap(map);
-    is_map_new_ = true;
-  }
-
-  void OnWindow(const cv::Rect& window,
-                const std::vector<std::int8_t>& values) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    desk_->planner.UpdateMap(window, values);
-    is_map_new_ = true;
-  }
-
-  void OnQuery(const MotionQuery& query) {
-    // The lock is free as soon as a plan that is being made sees this.
-    is_outdated_ = true;
+  /// Changes what lies on the desk, and wakes the planning thread.
+  template <typename Change>
+  void Leave(Change change) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      desk_->query = query;
-      is_outdated_ = false;
+      change(desk_);
     }
     wake_.notify_one();
   }
 
+  void OnMap(const OccupancyGrid& map) {
+    Leave([&map](PlanningDesk& desk) {
+      desk.map = map;
+      desk.windows.clear();
+    });
+    is_map_new_ = true;
+  }
+
+  void OnWindow(const cv::Rect& cells, const std::vector<std::int8_t>& values) {
+    Leave([&](PlanningDesk& desk) { desk.windows.push_back({cells, values}); });
+    is_map_new_ = true;
+  }
+
+  void OnQuery(const MotionQuery& query) {
+    Leave([this, &query](PlanningDesk& desk) {
+      desk.query = query;
+      is_outdated_ = true;
+    });
+  }
+
   void PlanUntilClosed() {
-    std::unique_lock<std::mutex> lock(mutex_);
     while (true) {
-      wake_.wait(lock, [this] { return desk_->is_closing || desk_->query; });
-      if (desk_->is_closing) return;
-      const MotionQuery query = *std::exchange(desk_->query, std::nullopt);
-      PlanRequest request = ToPlanRequest(query);
-      request.previous = desk_->path;
-      PlanResult result = desk_->planner.Plan(request, &is_outdated_);
-      if (result.outcome == Outcome::kSuccess) desk_->path = result.path;
-      lock.unlock();
-      Answer(query, result);
-      lock.lock();
+      PlanningDesk work = TakeWork();
+      if (work.is_closing) {
+        for (PlanQuestion& question : work.questions) {
+          Answer(question, Closing());
+        }
+        return;
+      }
+      if (work.map) planner_->SetMap(*work.map);
+      for (const MapWindow& window : work.windows) {
+        planner_->UpdateMap(window.cells, window.values);
+      }
+      if (work.query) Plan(*work.query);
+      if (!work.questions.empty()) Plan(work.questions.front());
+      if (work.wants_inflated_map) PublishInflatedMap();
     }
+  }
+
+  /// Waits for work. A question is taken only when no query is; on closing, all
+  /// of them.
+  PlanningDesk TakeWork() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    wake_.wait(lock, [this] { return desk_.HasWork(); });
+    PlanningDesk work = std::exchange(desk_, {});
+    desk_.is_closing = work.is_closing;
+    if (!work.is_closing) {
+      const int taken = work.query || work.questions.empty() ? 0 : 1;
+      desk_.questions.assign(
+          std::make_move_iterator(work.questions.begin() + taken),
+          std::make_move_iterator(work.questions.end()));
+      work.questions.resize(taken);
+      is_outdated_ = false;
+    }
+    return work;
+  }
+
+  void Plan(const MotionQuery& query) {
+    PlanRequest request = ToPlanRequest(query);
+    request.previous = path_;
+    const PlanResult result = planner_->Plan(request, &is_outdated_);
+    if (result.outcome == Outcome::kSuccess) path_ = result.path;
+    Answer(query, result);
+  }
+
+  void Plan(PlanQuestion& question) {
+    const PlanResult result = planner_->Plan(question.request, &is_outdated_);
+    if (result.outcome != Outcome::kCancelled) {
+      Answer(question, result);
+      return;
+    }
+    // It has made way for a query and is next after it.
+    Leave([&question](PlanningDesk& desk) {
+      desk.questions.push_front(std::move(question));
+    });
+  }
+
+  static PlanResult Closing() {
+    PlanResult result;
+    result.outcome = Outcome::kCancelled;
+    result.message = "the planner is being closed";
+    return result;
+  }
+
+  static void Answer(PlanQuestion& question, const PlanResult& result) {
+    question.answer.set_value(result);
   }
 
   void Answer(const MotionQuery& query, const PlanResult& result) {
@@ -165,9 +252,7 @@ class PathPlannerNodelet : public nodelet::Nodelet {
       NODELET_ERROR("make_plan: %s", error.what());
       return false;
     }
-    std::unique_lock<std::mutex> lock(mutex_);
-    const PlanResult result = desk_->planner.Plan(request);
-    lock.unlock();
+    const PlanResult result = Ask(std::move(request));
     answer.plan.header.frame_id = frame;
     answer.plan.header.stamp = ros::Time::now();
     if (result.outcome == Outcome::kSuccess) {
@@ -180,6 +265,19 @@ class PathPlannerNodelet : public nodelet::Nodelet {
     return true;
   }
 
+  /// Has the planning thread make a plan, and waits for it.
+  PlanResult Ask(PlanRequest request) {
+    PlanQuestion question;
+    question.request = std::move(request);
+    std::future<PlanResult> answer = question.answer.get_future();
+    bool is_closing = false;
+    Leave([&](PlanningDesk& desk) {
+      is_closing = desk.is_closing;
+      if (!is_closing) desk.questions.push_back(std::move(question));
+    });
+    return is_closing ? Closing() : answer.get();
+  }
+
   Pose2D RobotPose() const {
     geometry_msgs::PoseStamped pose;
     pose.header.frame_id = parameters_.frames.base_frame;
@@ -187,22 +285,28 @@ class PathPlannerNodelet : public nodelet::Nodelet {
     return PoseInFrame(pose, parameters_.frames.map_frame, transforms_);
   }
 
-  void PublishInflatedMap() {
+  void OnInflatedTimer() {
     if (!is_map_new_ || inflated_publisher_.getNumSubscribers() == 0) return;
     is_map_new_ = false;
-    std::unique_lock<std::mutex> lock(mutex_);
-    const OccupancyGrid map = desk_->planner.InflatedMap();
-    lock.unlock();
-    inflated_publisher_.publish(
-        ToMapMessage(map, parameters_.frames.map_frame, ros::Time::now()));
+    Leave([](PlanningDesk& desk) { desk.wants_inflated_map = true; });
+  }
+
+  void PublishInflatedMap() {
+    inflated_publisher_.publish(ToMapMessage(planner_->InflatedMap(),
+                                             parameters_.frames.map_frame,
+                                             ros::Time::now()));
   }
 
   PathPlannerNodeletParameters parameters_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::unique_ptr<PlanningDesk> desk_;    ///< under mutex_.
-  std::atomic<bool> is_outdated_{false};  ///< what is being planned is.
+  PlanningDesk desk_;                     ///< under mutex_.
+  std::atomic<bool> is_outdated_{false};  ///< what is being planned is; written
+                                          ///< under mutex_.
   bool is_map_new_ = false;               ///< since the last inflated map.
+  // The planning thread's:
+  std::unique_ptr<PathPlanner> planner_;
+  std::vector<Eigen::Vector2d> path_;  ///< the last one found.
 
   tf2_ros::Buffer transforms_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
@@ -211,7 +315,9 @@ class PathPlannerNodelet : public nodelet::Nodelet {
   ros::Publisher inflated_publisher_;
   std::unique_ptr<MapSubscription> map_subscription_;
   ros::Subscriber query_subscriber_;
+  ros::CallbackQueue service_queue_;
   std::vector<ros::ServiceServer> services_;
+  std::unique_ptr<ros::AsyncSpinner> service_spinner_;
   ros::Timer inflated_timer_;
   std::thread thread_;
 };

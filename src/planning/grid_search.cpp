@@ -20,9 +20,9 @@ constexpr StepCost kLongestStep =
 // kilometres of free path.
 constexpr StepCost kFarthest = kUnreached / 2 - kLongestStep;
 
-// An eighteenth of a free step per bucket: fine enough that hardly a node is
-// expanded twice, and few enough buckets to stay in the cache.
-constexpr int kBucketBits = 7;
+// A ninth of a free step per bucket: fine enough that hardly a node is expanded
+// twice, and few enough buckets to stay in the cache.
+constexpr int kBucketBits = 8;
 
 // Expansions between two looks at the cancel flag, well under 10 ms.
 constexpr std::int64_t kPollMask = 1023;
@@ -46,6 +46,14 @@ unsigned Behind(int direction) {
 
 GridSearch::GridSearch() : open_(kBucketBits, kLongestStep) {}
 
+inline StepCost GridSearch::Heuristic(int x, int y) const {
+  const StepCost dx = std::abs(x - goal_.x);
+  const StepCost dy = std::abs(y - goal_.y);
+  constexpr StepCost kBoth = 2 * CostMap::kUnit;
+  return kBoth * (kStraight * std::max(dx, dy) +
+                  (kDiagonal - kStraight) * std::min(dx, dy));
+}
+
 void GridSearch::Prepare(const CostMap& costs) {
   const std::size_t size = costs.levels().size();
   if (!nodes_ || geometry_.width != costs.geometry().width ||
@@ -64,12 +72,67 @@ void GridSearch::Prepare(const CostMap& costs) {
   }
 }
 
-StepCost GridSearch::Heuristic(int x, int y) const {
-  const StepCost dx = std::abs(x - goal_.x);
-  const StepCost dy = std::abs(y - goal_.y);
-  constexpr StepCost kBoth = 2 * CostMap::kUnit;
-  return kBoth * (kStraight * std::max(dx, dy) +
-                  (kDiagonal - kStraight) * std::min(dx, dy));
+// One function per direction, so that steps and lengths are constants in the
+// innermost loop; inlined, or half of it would be passing arguments.
+template <int kDirection>
+__attribute__((always_inline)) inline void GridSearch::Look(
+    const Expansion& from) {
+  constexpr Cell kStep = kSteps[kDirection];
+  const std::ptrdiff_t offset = kStep.y * from.stride + kStep.x;
+  const CostMap::Level level = from.levels[offset];
+  if (level == CostMap::kLethal) return;
+  // The step before went straight to what lies behind for less; only where
+  // the rectangle did not fit on that way it may do so on this one.
+  if ((from.behind >> kDirection & 1) != 0 && level < from.tight_level) return;
+  const StepCost cost = from.cost + CostOfStep(from.level, level, kDirection);
+  const Node news = from.stamp | Node{~cost} << 8 | kDirection;
+  Node& node = from.nodes[offset];
+  // Most neighbours are known for less already.
+  if (news <= (node | 0xff)) return;
+  if (kStep.x != 0 && kStep.y != 0 &&
+      (from.levels[kStep.x] == CostMap::kLethal ||
+       from.levels[kStep.y * from.stride] == CostMap::kLethal)) {
+    return;
+  }
+  const Cell cell{from.cell.x + kStep.x, from.cell.y + kStep.y};
+  const StepCost key = cost + Heuristic(cell.x, cell.y);
+  if (key >= goal_cost_) return;
+  if (level >= from.tight_level && !from.passages.Fits(cell, kDirection)) {
+    return;
+  }
+  node = news;
+  if (cell == goal_) {
+    goal_cost_ = cost;
+  } else {
+    open_.Push(key, {static_cast<std::uint16_t>(cell.x),
+                     static_cast<std::uint16_t>(cell.y), cost});
+  }
+}
+
+inline void GridSearch::Expand(const Open& open, const CostMap& costs,
+                               const PassageCheck& passages) {
+  if (open.cost > kFarthest) return;
+  const std::size_t index = costs.Index({open.x, open.y});
+  const CostMap::Level* const levels = costs.levels().data() + index;
+  Node* const nodes = nodes_.get() + index;
+  const Expansion from = {{open.x, open.y},
+                          open.cost,
+                          levels[0],
+                          levels,
+                          nodes,
+                          stride_,
+                          generation_ << 40,
+                          Behind(*nodes & 0xff),
+                          tight_level_,
+                          passages};
+  Look<0>(from);
+  Look<1>(from);
+  Look<2>(from);
+  Look<3>(from);
+  Look<4>(from);
+  Look<5>(from);
+  Look<6>(from);
+  Look<7>(from);
 }
 
 SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
@@ -104,57 +167,6 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   result.cost = goal_cost_;
   result.cells = PathToGoal(start, costs);
   return result;
-}
-
-// One function per direction, so that steps and lengths are constants in the
-// innermost loop.
-template <int kDirection>
-inline void GridSearch::Look(const Expansion& from) {
-  constexpr Cell kStep = kSteps[kDirection];
-  const std::ptrdiff_t offset = kStep.y * stride_ + kStep.x;
-  const CostMap::Level level = from.levels[offset];
-  if (level == CostMap::kLethal) return;
-  if (kStep.x != 0 && kStep.y != 0 &&
-      (from.levels[kStep.x] == CostMap::kLethal ||
-       from.levels[kStep.y * stride_] == CostMap::kLethal)) {
-    return;
-  }
-  // The step before went straight to what lies behind for less; only where
-  // the rectangle did not fit on that way it may do so on this one.
-  if ((from.behind >> kDirection & 1) != 0 && level < tight_level_) return;
-  const StepCost cost =
-      from.open.cost + CostOfStep(from.levels[0], level, kDirection);
-  const Node news = MakeNode(cost, kDirection);
-  Node& node = from.nodes[offset];
-  if (news <= (node | 0xff)) return;
-  const Cell cell{from.open.x + kStep.x, from.open.y + kStep.y};
-  const StepCost key = cost + Heuristic(cell.x, cell.y);
-  if (key >= goal_cost_) return;
-  if (level >= tight_level_ && !from.passages.Fits(cell, kDirection)) return;
-  node = news;
-  if (cell == goal_) {
-    goal_cost_ = cost;
-  } else {
-    open_.Push(key, {static_cast<std::uint16_t>(cell.x),
-                     static_cast<std::uint16_t>(cell.y), cost});
-  }
-}
-
-void GridSearch::Expand(const Open& open, const CostMap& costs,
-                        const PassageCheck& passages) {
-  if (open.cost > kFarthest) return;
-  const std::size_t index = costs.Index({open.x, open.y});
-  const Expansion from = {open, costs.levels().data() + index,
-                          nodes_.get() + index, Behind(nodes_[index] & 0xff),
-                          passages};
-  Look<0>(from);
-  Look<1>(from);
-  Look<2>(from);
-  Look<3>(from);
-  Look<4>(from);
-  Look<5>(from);
-  Look<6>(from);
-  Look<7>(from);
 }
 
 std::vector<Cell> GridSearch::PathToGoal(const Cell& start,

@@ -12,7 +12,7 @@ PassageCheck::PassageCheck(const Footprint& footprint, const Pose2D& start,
     : footprint_(footprint),
       circumscribed_radius_(
           static_cast<float>(footprint.CircumscribedRadius())),
-      start_(start),
+      to_robot_(start.Inverse()),
       clearance_(clearance) {
   const double resolution = clearance.geometry().resolution;
   for (int heading = 0; heading < kHeadings; ++heading) {
@@ -56,8 +56,7 @@ bool PassageCheck::Fits(const Cell& cell, int direction) const {
   for (const int turn : {0, 1, -1, 2, -2}) {
     if (FitsAt(cell, heading + turn)) return true;
   }
-  return footprint_.Contains(start_.Inverse() *
-                             clearance_.geometry().ToWorld(cell));
+  return footprint_.Contains(to_robot_ * clearance_.geometry().ToWorld(cell));
 }
 
 }  // namespace vfh_astar

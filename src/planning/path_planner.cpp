@@ -27,17 +27,6 @@ UnknownSpace ToUnknownSpace(const std::string& name) {
   return UnknownSpace::kFree;
 }
 
-CostModel ModelFor(const PathPlannerParameters& parameters) {
-  CostModel model;
-  model.lethal_clearance =
-      parameters.footprint.InscribedRadius() + parameters.safety_margin;
-  model.inflation_clearance = parameters.inflation_radius;
-  model.weight = parameters.inflation_weight;
-  model.unknown = ToUnknownSpace(parameters.unknown_space);
-  model.unknown_price = parameters.unknown_price;
-  return model;
-}
-
 __attribute__((format(printf, 1, 2))) std::string Sentence(const char* format,
                                                            ...) {
   char text[512];
@@ -81,13 +70,31 @@ void PathPlannerParameters::Read(ParameterReader& reader) {
   reader.Number("keep_margin", keep_margin, 0.0, 1.0);
 }
 
+CostModel CostModelFor(const PathPlannerParameters& parameters) {
+  CostModel model;
+  model.lethal_clearance =
+      parameters.footprint.InscribedRadius() + parameters.safety_margin;
+  model.inflation_clearance = parameters.inflation_radius;
+  model.weight = parameters.inflation_weight;
+  model.unknown = ToUnknownSpace(parameters.unknown_space);
+  model.unknown_price = parameters.unknown_price;
+  return model;
+}
+
+double ClearanceReach(const PathPlannerParameters& parameters) {
+  return std::max(parameters.inflation_radius,
+                  parameters.footprint.CircumscribedRadius() +
+                      parameters.safety_margin + kBeyondFootprint);
+}
+
+Footprint PassageFootprint(const PathPlannerParameters& parameters) {
+  return parameters.footprint.Grown(parameters.safety_margin - kRounding);
+}
+
 PathPlanner::PathPlanner(const PathPlannerParameters& parameters)
     : parameters_(parameters),
-      clearance_(parameters.occupied_threshold,
-                 std::max(parameters.inflation_radius,
-                          parameters.footprint.CircumscribedRadius() +
-                              parameters.safety_margin + kBeyondFootprint)),
-      costs_(ModelFor(parameters)) {}
+      clearance_(parameters.occupied_threshold, ClearanceReach(parameters)),
+      costs_(CostModelFor(parameters)) {}
 
 void PathPlanner::SetMap(const OccupancyGrid& map) {
   clearance_.SetMap(map);
@@ -147,9 +154,8 @@ PlanResult PathPlanner::Plan(const PlanRequest& request,
                      .CircumscribedRadius(),
                  request.tolerance));
   }
-  const PassageCheck passages(
-      parameters_.footprint.Grown(parameters_.safety_margin - kRounding),
-      request.start, clearance_);
+  const PassageCheck passages(PassageFootprint(parameters_), request.start,
+                              clearance_);
   const Cell start = clearance_.geometry().ToCell(request.start.position());
   SearchResult found =
       search_.Run(costs_, passages, start, goal->cell, cancelled);

@@ -22,6 +22,7 @@ class BucketQueue {
     std::size_t count = 1;
     while (count < (span >> width_bits) + 2) count *= 2;
     buckets_.resize(count);
+    mask_ = static_cast<std::uint32_t>(count - 1);
   }
 
   /// Empties the queue; the next keys are `least` or more.
@@ -38,7 +39,7 @@ class BucketQueue {
   void Push(std::uint32_t key, const Entry& entry) {
     const std::uint32_t bucket = key >> width_bits_;
     assert(bucket >= current_ && bucket - current_ < buckets_.size());
-    buckets_[bucket & (buckets_.size() - 1)].push_back(entry);
+    buckets_[bucket & mask_].push_back(entry);
     ++size_;
   }
 
@@ -48,9 +49,9 @@ class BucketQueue {
     return current_ << width_bits_;
   }
 
-  /// Takes an entry whose key is within a bucket's width of the least one.
+  /// Takes an entry whose key is within a bucket's width of LeastKey, which has
+  /// been called since the last change.
   Entry Pop() {
-    LeastKey();
     const Entry entry = Front().back();
     Front().pop_back();
     --size_;
@@ -58,11 +59,10 @@ class BucketQueue {
   }
 
  private:
-  std::vector<Entry>& Front() {
-    return buckets_[current_ & (buckets_.size() - 1)];
-  }
+  std::vector<Entry>& Front() { return buckets_[current_ & mask_]; }
 
   int width_bits_;
+  std::uint32_t mask_;  ///< of a bucket's number, for its place.
   std::uint32_t current_ = 0;
   std::size_t size_ = 0;
   std::vector<std::vector<Entry>> buckets_;

@@ -67,10 +67,15 @@ class GridSearch {
 
   /// A node whose neighbours are being looked at.
   struct Expansion {
-    Open open;
+    Cell cell;
+    StepCost cost;
+    CostMap::Level level;
     const CostMap::Level* levels;  ///< at the node.
     Node* nodes;                   ///< at the node.
-    unsigned behind;               ///< directions, as bits.
+    std::ptrdiff_t stride;
+    Node stamp;       ///< of the present search.
+    unsigned behind;  ///< directions, as bits.
+    int tight_level;
     const PassageCheck& passages;
   };
 

@@ -52,7 +52,8 @@ class PassageCheck {
 
   Footprint footprint_;
   float circumscribed_radius_;
-  Pose2D start_;
+  Pose2D
+      to_robot_;  ///< from the map's frame to that of the robot at the start.
   const ClearanceMap& clearance_;
   /// By heading, over a cell's centre, the farthest cells first.
   std::array<std::vector<Covered>, kHeadings> covered_;

@@ -38,6 +38,15 @@ struct PathPlannerParameters {
   void Read(ParameterReader& reader);
 };
 
+/// What a metre of path costs by these parameters.
+CostModel CostModelFor(const PathPlannerParameters& parameters);
+
+/// How far clearance is worked out for them, m.
+double ClearanceReach(const PathPlannerParameters& parameters);
+
+/// The rectangle that must fit along a path: the footprint with its margin.
+Footprint PassageFootprint(const PathPlannerParameters& parameters);
+
 struct PlanRequest {
   Pose2D start;            ///< map frame.
   Pose2D goal;             ///< map frame.

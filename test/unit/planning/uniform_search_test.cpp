@@ -1,4 +1,4 @@
-#include "vfh_astar/planning/jump_point_search.h"
+#include "vfh_astar/planning/uniform_search.h"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,27 @@
 #include <tuple>
 
 #include "planning/text_map.h"
+#include "vfh_astar/planning/canonical_search.h"
 #include "vfh_astar/planning/cost_map.h"
+#include "vfh_astar/planning/jump_point_search.h"
 
 namespace vfh_astar {
 namespace {
 
-JumpPointSearch SearchOn(const OccupancyGrid& map) {
-  JumpPointSearch search(map.geometry().width, map.geometry().height);
+/// The two searches that must agree, and the one that chooses between them.
+template <typename Search>
+class UniformCost : public testing::Test {
+ protected:
+  static Search SearchOn(const OccupancyGrid& map);
+};
+
+using Searches =
+    testing::Types<JumpPointSearch, CanonicalSearch, UniformSearch>;
+TYPED_TEST_SUITE(UniformCost, Searches);
+
+template <typename Search>
+Search UniformCost<Search>::SearchOn(const OccupancyGrid& map) {
+  Search search(map.geometry().width, map.geometry().height);
   for (int y = 0; y < map.geometry().height; ++y) {
     for (int x = 0; x < map.geometry().width; ++x) {
       search.SetBlocked({x, y}, map[{x, y}] == 100);
@@ -70,42 +84,42 @@ void ExpectValidPath(const OccupancyGrid& map, const JumpPointResult& result,
   EXPECT_NEAR(result.length, length, 1e-9);
 }
 
-TEST(JumpPointSearch, GoesDiagonallyThenStraight) {
+TYPED_TEST(UniformCost, GoesDiagonallyThenStraight) {
   const OccupancyGrid map = TextMap({"....",  //
                                      "....",  //
                                      "...."});
-  JumpPointSearch search = SearchOn(map);
+  TypeParam search = this->SearchOn(map);
   const JumpPointResult result = search.Run({0, 0}, {3, 2});
   ASSERT_TRUE(result.is_found);
   EXPECT_NEAR(result.length, 1.0 + 2.0 * std::sqrt(2.0), 1e-12);
   ExpectValidPath(map, result, {0, 0}, {3, 2});
 }
 
-TEST(JumpPointSearch, CutsNoCorner) {
+TYPED_TEST(UniformCost, CutsNoCorner) {
   const OccupancyGrid map = TextMap({"...",  //
                                      ".#.",  //
                                      "..."});
-  JumpPointSearch search = SearchOn(map);
+  TypeParam search = this->SearchOn(map);
   EXPECT_EQ(search.Run({0, 0}, {2, 2}).length, 4.0);
   EXPECT_EQ(search.Run({1, 0}, {1, 2}).length, 4.0);
 }
 
-TEST(JumpPointSearch, SaysWhenThereIsNoPath) {
-  JumpPointSearch search = SearchOn(TextMap({"..#.", "..#."}));
+TYPED_TEST(UniformCost, SaysWhenThereIsNoPath) {
+  TypeParam search = this->SearchOn(TextMap({"..#.", "..#."}));
   EXPECT_FALSE(search.Run({0, 0}, {3, 0}).is_found);
   search.SetBlocked({2, 1}, false);
   EXPECT_NEAR(search.Run({0, 0}, {3, 0}).length, 3.0 + std::sqrt(2.0), 1e-12);
 }
 
-TEST(JumpPointSearch, StartMayBeTheGoal) {
-  JumpPointSearch search = SearchOn(TextMap({"..."}));
+TYPED_TEST(UniformCost, StartMayBeTheGoal) {
+  TypeParam search = this->SearchOn(TextMap({"..."}));
   const JumpPointResult result = search.Run({1, 0}, {1, 0});
   EXPECT_TRUE(result.is_found);
   EXPECT_EQ(result.length, 0.0);
   EXPECT_EQ(result.cells.size(), 1u);
 }
 
-TEST(JumpPointSearch, IsAsShortAsDijkstra) {
+TYPED_TEST(UniformCost, IsAsShortAsDijkstra) {
   std::mt19937 random(17);
   int found = 0;
   int unreachable = 0;
@@ -117,7 +131,7 @@ TEST(JumpPointSearch, IsAsShortAsDijkstra) {
         round % 3 == 1 ? 150 : 3 + static_cast<int>(random() % 40);
     OccupancyGrid map =
         RandomMap(width, height, 1.0, 0.04 * (round % 12), random);
-    JumpPointSearch search = SearchOn(map);
+    TypeParam search = this->SearchOn(map);
     for (int query = 0; query < 8; ++query) {
       const auto any_cell = [&] {
         return Cell{static_cast<int>(random() % width),
@@ -146,6 +160,23 @@ TEST(JumpPointSearch, IsAsShortAsDijkstra) {
   }
   EXPECT_GT(found, 400);
   EXPECT_GT(unreachable, 100);
+}
+
+TEST(UniformSearch, TellsScatteredObstaclesFromWalls) {
+  std::mt19937 random(5);
+  UniformSearch search(200, 200);
+  EXPECT_FALSE(search.IsScattered({0, 0}, {199, 199}));
+  // Walls are not scattered, however close they are.
+  for (int x = 0; x < 200; x += 3) {
+    for (int y = 0; y < 190; ++y) search.SetBlocked({x, y}, true);
+  }
+  EXPECT_FALSE(search.IsScattered({0, 0}, {199, 199}));
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      search.SetBlocked({x, y}, random() % 4 == 0);
+    }
+  }
+  EXPECT_TRUE(search.IsScattered({0, 0}, {199, 199}));
 }
 
 }  // namespace
