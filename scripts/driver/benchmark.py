@@ -41,6 +41,8 @@ def _add_run_options(parser, count):
     parser.add_argument("--jobs", type=_count, default=os.cpu_count(),
                         metavar="N", help="processes at a time (one for each "
                         "processor)")
+    parser.add_argument("--scheduler", metavar="ADDRESS",
+                        help="hand the runs to a Dask cluster instead")
 
 
 def _add_world_options(parser):
@@ -109,10 +111,15 @@ def run_program(options):
         sys.exit(0)
 
 
+def _perform_all(runs, options):
+    return drive_runs.perform_all(runs, drive_runs.make_executor(
+        options.jobs, options.scheduler))
+
+
 def run_barn(options):
     runs = barn.static_runs(options.worlds, options.config, options.indices,
                             options.runs, options.start)
-    results = drive_runs.perform_all(runs, options.jobs)
+    results = _perform_all(runs, options)
     barn.add_scores(results, options.worlds, options.start)
     return barn.summary(results)
 
@@ -120,12 +127,12 @@ def run_barn(options):
 def run_dynabarn(options):
     runs = barn.dynamic_runs(options.worlds, options.config, options.indices,
                              options.runs)
-    return barn.summary(drive_runs.perform_all(runs, options.jobs))
+    return barn.summary(_perform_all(runs, options))
 
 
 def run_paper(options):
-    return paper_scenes.summary(drive_runs.perform_all(
-        paper_scenes.runs(options.runs), options.jobs))
+    return paper_scenes.summary(_perform_all(
+        paper_scenes.runs(options.runs), options))
 
 
 def table(figures):

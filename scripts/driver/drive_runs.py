@@ -89,11 +89,33 @@ class RunStore:
             os.remove(self._file)
 
 
-def perform_all(runs, jobs, store=None, perform_one=perform):
+def make_executor(jobs, scheduler=None):
+    """What runs are submitted to: `jobs` processes on this machine, or the
+    workers of a Dask cluster. The workers need this package's scripts folder on
+    their PYTHONPATH, the same build and the same files in the same places.
+
+    scheduler: its address, such as tcp://host:8786.
+    Raises DriveError.
+    """
+    if scheduler is None:
+        return concurrent.futures.ThreadPoolExecutor(jobs)
+    try:
+        import distributed
+    except ImportError as error:
+        raise DriveError("--scheduler needs Dask's distributed: install "
+                         "python3-distributed") from error
+    try:
+        return distributed.Client(scheduler).get_executor()
+    except (OSError, ValueError) as error:
+        raise DriveError("--scheduler: {} does not answer: {}".format(
+            scheduler, error)) from error
+
+
+def perform_all(runs, executor, store=None, perform_one=perform):
     """The results of all runs, in their order. Shows a progress bar on a
     terminal's error stream.
 
-    jobs: processes at a time.
+    executor: see make_executor.
     store: RunStore; one for these runs where not given.
     Raises DriveError after the first run without a result; what was done by
     then is kept.
@@ -103,7 +125,7 @@ def perform_all(runs, jobs, store=None, perform_one=perform):
     results = store.load()
     bar = tqdm(total=len(runs), initial=len(results), unit="run", ncols=79,
                disable=None)
-    with concurrent.futures.ThreadPoolExecutor(jobs) as executor, bar:
+    with executor, bar:
         waiting = {executor.submit(perform_one, run): place
                    for place, run in enumerate(runs) if place not in results}
         try:

@@ -6,6 +6,10 @@ from driver import drive_runs
 from driver.drive_runs import DriveRun, RunStore
 
 
+def _labels_of(run):
+    return dict(run.labels)
+
+
 class DriveRunsTest(unittest.TestCase):
 
     def setUp(self):
@@ -26,7 +30,8 @@ class DriveRunsTest(unittest.TestCase):
         return RunStore(self.runs, os.path.join(self._folder.name, "store"))
 
     def perform_all(self, perform):
-        return drive_runs.perform_all(self.runs, 1, self.store(), perform)
+        return drive_runs.perform_all(
+            self.runs, drive_runs.make_executor(1), self.store(), perform)
 
     def test_results_keep_their_order(self):
         self.assertEqual(self.perform_all(lambda run: dict(run.labels)),
@@ -78,6 +83,23 @@ class DriveRunsTest(unittest.TestCase):
         with open(self.config, "a") as content:
             content.write("changed")
         self.assertEqual(self.store().load(), {})
+
+    def test_a_dask_cluster_gives_the_same(self):
+        try:
+            import distributed
+        except ImportError:
+            self.skipTest("python3-distributed is not installed")
+        with distributed.LocalCluster(
+                n_workers=2, threads_per_worker=1, processes=False,
+                dashboard_address=None) as cluster:
+            results = drive_runs.perform_all(
+                self.runs, drive_runs.make_executor(
+                    1, cluster.scheduler_address), self.store(), _labels_of)
+        self.assertEqual(results, self.perform_all(_labels_of))
+
+    def test_no_cluster_is_said(self):
+        with self.assertRaisesRegex(drive_runs.DriveError, "--scheduler"):
+            drive_runs.make_executor(1, "nonsense://nowhere:1")
 
     def test_a_failed_drive_says_why(self):
         drive_runs.PROGRAM = "/bin/false"
