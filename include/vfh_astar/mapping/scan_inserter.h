@@ -9,6 +9,7 @@
 
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/laser_scan.h"
+#include "vfh_astar/mapping/cell_marks.h"
 #include "vfh_astar/mapping/log_odds_grid.h"
 #include "vfh_astar/parameters.h"
 
@@ -74,8 +75,8 @@ class ScanInserter {
   double SharedLength(std::size_t beam, double increment,
                       double resolution) const;
   void MarkBeams(const Eigen::Vector2d& laser, double increment,
-                 double resolution);
-  /// Takes back the misses between neighbouring hits on one surface.
+                 const LogOddsGrid& grid);
+  /// Marks what lies between neighbouring hits on one surface.
   void SpareSurfaces(double resolution);
   cv::Rect ApplyTile(int column, int row, LogOddsGrid& grid) const;
   bool UpdateRow(
@@ -87,13 +88,14 @@ class ScanInserter {
   LogOdds miss_steps_;
   LogOdds lowest_;
   LogOdds highest_;
+  LogOddsGrid::Tile cleared_;  ///< as low as misses can get it.
 
   // One scan's working memory, kept to be allocated once.
   std::vector<Beam> beams_;
   cv::Rect tiles_;  ///< the tiles that the scan touches.
-  // A bit per cell, a word per row of a tile; tiles_.width words per row.
-  std::vector<std::uint64_t> passed_;
-  std::vector<std::uint64_t> ended_;
+  CellMarks passed_;
+  CellMarks ended_;
+  CellMarks spared_;
 };
 
 }  // namespace vfh_astar
