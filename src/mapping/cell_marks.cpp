@@ -5,11 +5,6 @@
 namespace vfh_astar {
 namespace {
 
-/// Rows that are looked at together, few enough for a line to cross them within
-/// a block or two.
-constexpr int kChunk = 16;
-static_assert(CellMarks::kBlock % kChunk == 0);
-
 constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
 constexpr int kFraction = RowCrossings::kFraction;
 
@@ -20,16 +15,17 @@ bool IsWithinBound(const RowCrossings& line) {
   return last >> kFraction == line.ColumnAt(last);
 }
 
-/// Rows from `y` to the last one of its chunk, both included.
-int RowsToChunkEnd(int y, int step) {
-  return step > 0 ? kChunk - y % kChunk : y % kChunk + 1;
+/// Rows from `y` to the last one of its blocks, both included.
+int RowsToBlockEnd(int y, int step) {
+  constexpr int kRows = CellMarks::kBlockHeight;
+  return step > 0 ? kRows - y % kRows : y % kRows + 1;
 }
 
 /// Marks columns in order, both included, of a row whose word in the first
 /// strip is given; from strip to strip there are `rows` words.
 inline void MarkOrderedRun(std::uint64_t* word, std::size_t rows, unsigned low,
                            unsigned high) {
-  constexpr unsigned kBits = CellMarks::kBlock;
+  constexpr unsigned kBits = CellMarks::kBlockWidth;
   const std::uint64_t from_low = kAllBits << low % kBits;
   const std::uint64_t to_high = kAllBits >> (kBits - 1 - high % kBits);
   word += low / kBits * rows;
@@ -65,7 +61,7 @@ inline void MarkStepsOfStrip(std::int64_t x, const RowCrossings& line,
 void CellMarks::Reset(int columns, int rows) {
   block_columns_ = columns;
   block_rows_ = rows;
-  rows_ = static_cast<std::size_t>(rows) * kBlock;
+  rows_ = static_cast<std::size_t>(rows) * kBlockHeight;
   words_.assign(columns * rows_, 0);
   open_before_.resize(static_cast<std::size_t>(columns + 1) * rows);
   CloseBlocks([](int, int) { return false; });
@@ -79,7 +75,7 @@ void CellMarks::MarkSteps(const RowCrossings& line) {
   std::int64_t x = line.x;
   int y = line.y;
   for (int left = line.count; left > 0;) {
-    const int count = std::min(left, RowsToChunkEnd(y, line.step));
+    const int count = std::min(left, RowsToBlockEnd(y, line.step));
     const std::int64_t last = x + (count - 1) * line.next;
     const unsigned first_strip = StripAt(x);
     const unsigned last_strip = StripAt(last);
@@ -114,7 +110,7 @@ void CellMarks::MarkRuns(const RowCrossings& line) {
   const std::int64_t next = line.next;
   const int step = line.step;
   for (int left = line.count - 1; left > 0;) {
-    const int count = std::min(left, RowsToChunkEnd(y, step));
+    const int count = std::min(left, RowsToBlockEnd(y, step));
     const std::int64_t way = (count - 1) * next;
     const bool is_closed = IsClosed(y, StripAt(std::min(low, low + way)),
                                     StripAt(std::max(high, high + way)));

@@ -15,7 +15,9 @@ namespace {
 constexpr double kWidestGap = 2.0;
 
 constexpr int kTile = LogOddsGrid::kTileSize;
-static_assert(kTile == CellMarks::kBlock);
+static_assert(kTile == CellMarks::kBlockWidth);
+/// In a tile, one above the other.
+constexpr int kBlocks = kTile / CellMarks::kBlockHeight;
 
 // Beams run alongside each other as far as these hold: at larger angles they
 // are not near enough to parallel within a cell, and at more than half a cell
@@ -166,14 +168,15 @@ double ScanInserter::SharedLength(std::size_t beam, double increment,
 void ScanInserter::MarkBeams(const Eigen::Vector2d& laser, double increment,
                              const LogOddsGrid& grid) {
   const double resolution = grid.geometry().resolution;
-  passed_.Reset(tiles_.width, tiles_.height);
+  passed_.Reset(tiles_.width, tiles_.height * kBlocks);
   passed_.CloseBlocks([&](int column, int row) {
     // Misses change nothing there.
     const LogOddsGrid::Tile* tile =
-        grid.FindTile(tiles_.x + column, tiles_.y + row);
-    return tile && *tile == cleared_;
+        grid.FindTile(tiles_.x + column, tiles_.y + row / kBlocks);
+    return tile && std::equal(cleared_.begin(), cleared_.end(),
+                              tile->begin() + row % kBlocks * cleared_.size());
   });
-  ended_.Reset(tiles_.width, tiles_.height);
+  ended_.Reset(tiles_.width, tiles_.height * kBlocks);
   for (std::size_t i = 0; i < beams_.size(); ++i) {
     const Beam& beam = beams_[i];
     if (beam.length == 0.0) continue;
@@ -185,7 +188,7 @@ void ScanInserter::MarkBeams(const Eigen::Vector2d& laser, double increment,
 }
 
 void ScanInserter::SpareSurfaces(double resolution) {
-  spared_.Reset(tiles_.width, tiles_.height);
+  spared_.Reset(tiles_.width, tiles_.height * kBlocks);
   const double widest = kWidestGap / resolution;
   const auto hit_at = [this](std::size_t i) {
     return i < beams_.size() && beams_[i].is_hit ? &beams_[i].end : nullptr;

@@ -14,12 +14,13 @@ namespace vfh_astar {
 /// words of such a strip one after the other, so that a line finds most of its
 /// words beside each other, whichever way it runs.
 ///
-/// Blocks of 64 x 64 cells may be closed when nobody asks for what is marked in
+/// Blocks of 64 x 16 cells may be closed when nobody asks for what is marked in
 /// them: lines then jump over them, and leave there some of their cells at
 /// most.
 class CellMarks {
  public:
-  static constexpr int kBlock = 64;  ///< cells per side.
+  static constexpr int kBlockWidth = 64;   ///< columns, a word of bits.
+  static constexpr int kBlockHeight = 16;  ///< rows.
 
   /// Makes room for so many blocks in each direction, none of it marked and all
   /// of it open.
@@ -42,7 +43,7 @@ class CellMarks {
   /// bit.
   std::uint64_t Word(int strip, int y) const { return words_[Index(strip, y)]; }
 
-  void Mark(int x, int y) { *At(x / kBlock, y) |= Bit(x); }
+  void Mark(int x, int y) { *At(x / kBlockWidth, y) |= Bit(x); }
 
   /// Marks the cells that TraverseRows visits.
   /// @param[in] from, to cell units, within the room.
@@ -50,10 +51,10 @@ class CellMarks {
 
  private:
   static std::uint64_t Bit(unsigned x) {
-    return std::uint64_t{1} << x % kBlock;
+    return std::uint64_t{1} << x % kBlockWidth;
   }
   static unsigned StripAt(std::int64_t x) {
-    return static_cast<unsigned>(x >> RowCrossings::kFraction) / kBlock;
+    return static_cast<unsigned>(x >> RowCrossings::kFraction) / kBlockWidth;
   }
 
   std::size_t Index(unsigned strip, unsigned y) const {
@@ -63,7 +64,8 @@ class CellMarks {
     return words_.data() + Index(strip, y);
   }
   bool IsClosed(int y, unsigned first_strip, unsigned last_strip) const {
-    const int* row = open_before_.data() + y / kBlock * (block_columns_ + 1);
+    const int* row =
+        open_before_.data() + y / kBlockHeight * (block_columns_ + 1);
     return row[first_strip] == row[last_strip + 1];
   }
 

@@ -88,7 +88,9 @@ class ScanInserter {
   LogOdds miss_steps_;
   LogOdds lowest_;
   LogOdds highest_;
-  LogOddsGrid::Tile cleared_;  ///< as low as misses can get it.
+  /// A block of cells as low as misses can get them.
+  std::array<LogOdds, CellMarks::kBlockWidth * CellMarks::kBlockHeight>
+      cleared_;
 
   // One scan's working memory, kept to be allocated once.
   std::vector<Beam> beams_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bitset>
 #include <random>
 #include <set>
 #include <utility>
@@ -10,16 +11,16 @@ namespace vfh_astar {
 namespace {
 
 constexpr int kColumns = 5;
-constexpr int kRows = 4;
+constexpr int kRows = 16;
 
 using Cells = std::set<std::pair<int, int>>;
 
 Cells Marked(const CellMarks& marks) {
   Cells cells;
-  for (int y = 0; y < kRows * CellMarks::kBlock; ++y) {
-    for (int x = 0; x < kColumns * CellMarks::kBlock; ++x) {
-      const std::uint64_t word = marks.Word(x / CellMarks::kBlock, y);
-      if ((word >> x % CellMarks::kBlock & 1) != 0) cells.emplace(x, y);
+  for (int y = 0; y < kRows * CellMarks::kBlockHeight; ++y) {
+    for (int x = 0; x < kColumns * CellMarks::kBlockWidth; ++x) {
+      const std::uint64_t word = marks.Word(x / CellMarks::kBlockWidth, y);
+      if ((word >> x % CellMarks::kBlockWidth & 1) != 0) cells.emplace(x, y);
     }
   }
   return cells;
@@ -126,9 +127,12 @@ TEST(CellMarks, MarksAllOfALineThatLiesInOpenBlocks) {
   Ends ends;
   CellMarks marks;
   for (int round = 0; round < 2000; ++round) {
-    const auto closed = ends.random()();
-    const auto is_closed = [closed](int column, int row) {
-      return (closed >> (row * kColumns + column) & 1) != 0;
+    std::bitset<kColumns * kRows> closed;
+    for (int i = 0; i < kColumns * kRows; ++i) {
+      closed[i] = ends.random()() % 2 == 0;
+    }
+    const auto is_closed = [&closed](int column, int row) {
+      return closed[row * kColumns + column];
     };
     const Eigen::Vector2d from = ends.Next();
     const Eigen::Vector2d to = ends.NextFrom(from);
@@ -139,7 +143,8 @@ TEST(CellMarks, MarksAllOfALineThatLiesInOpenBlocks) {
     const Cells traversed = Traversed(from, to);
     for (const auto& cell : marked) ASSERT_EQ(traversed.count(cell), 1u);
     for (const auto& [x, y] : traversed) {
-      if (is_closed(x / CellMarks::kBlock, y / CellMarks::kBlock)) continue;
+      if (is_closed(x / CellMarks::kBlockWidth, y / CellMarks::kBlockHeight))
+        continue;
       ASSERT_EQ(marked.count({x, y}), 1u)
           << x << ", " << y << " of " << from.transpose() << " to "
           << to.transpose();
