@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "benchmark/quantile.h"
 #include "vfh_astar/planning/jump_point_search.h"
 #include "vfh_astar/planning/moving_ai.h"
 
@@ -32,15 +33,6 @@ Queries Choose(Queries queries, const PlannerBenchmarkOptions& options) {
     chosen.push_back(queries[i * queries.size() / limit]);
   }
   return chosen;
-}
-
-/// The value that a part of all values does not exceed.
-template <typename T>
-T Quantile(std::vector<T> values, double part) {
-  const auto rank = static_cast<std::size_t>(
-      std::min<double>(part * values.size(), values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[rank];
 }
 
 JumpPointSearch SearchOn(const Grid<std::uint8_t>& blocked) {
