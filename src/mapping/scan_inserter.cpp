@@ -126,7 +126,25 @@ cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
   return changed;
 }
 
+void ScanInserter::FindDirections(const LaserScan& scan) {
+  if (directions_.size() == scan.ranges.size() &&
+      angle_min_ == scan.angle_min &&
+      angle_increment_ == scan.angle_increment) {
+    return;
+  }
+  angle_min_ = scan.angle_min;
+  angle_increment_ = scan.angle_increment;
+  directions_.clear();
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    directions_.emplace_back(std::cos(scan.Angle(i)), std::sin(scan.Angle(i)));
+  }
+}
+
 bool ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
+  FindDirections(scan);
+  const Eigen::Matrix2d rotation =
+      Eigen::Rotation2Dd(laser_pose.theta).toRotationMatrix();
+  const Eigen::Vector2d laser = laser_pose.position();
   beams_.clear();
   bool is_any = false;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
@@ -140,11 +158,8 @@ bool ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
       length = is_hit ? range : parameters_.max_urange;
     }
     is_any = is_any || length > 0.0;
-    const double angle = laser_pose.theta + scan.Angle(i);
-    beams_.push_back(
-        {laser_pose.position() +
-             length * Eigen::Vector2d(std::cos(angle), std::sin(angle)),
-         length, is_hit});
+    const Eigen::Vector2d way = rotation * (length * directions_[i]);
+    beams_.push_back({laser + way, length, is_hit});
   }
   return is_any;
 }
@@ -208,14 +223,16 @@ void ScanInserter::SpareSurfaces(double resolution) {
 cv::Rect ScanInserter::ApplyTile(int column, int row, LogOddsGrid& grid) const {
   const int strip = column - tiles_.x;
   const int first_row = (row - tiles_.y) * kTile;
+  const std::uint64_t* const passed = passed_.Words(strip, first_row);
+  const std::uint64_t* const ended = ended_.Words(strip, first_row);
+  const std::uint64_t* const spared = spared_.Words(strip, first_row);
   LogOdds* tile = nullptr;
   std::array<std::uint8_t, kTile> changed_columns{};
   int first_changed = kTile;
   int last_changed = -1;
   for (int y = 0; y < kTile; ++y) {
-    const std::uint64_t hits = ended_.Word(strip, first_row + y);
-    const std::uint64_t misses = passed_.Word(strip, first_row + y) & ~hits &
-                                 ~spared_.Word(strip, first_row + y);
+    const std::uint64_t hits = ended[y];
+    const std::uint64_t misses = passed[y] & ~(hits | spared[y]);
     if ((hits | misses) == 0) continue;
     if (!tile) tile = grid.MutableTile(column, row).data();
     if (!UpdateRow(misses, hits, tile + y * kTile, changed_columns)) continue;

@@ -39,9 +39,11 @@ class CellMarks {
     }
   }
 
-  /// The columns of a strip of blocks in a row; the lowest column is the lowest
-  /// bit.
-  std::uint64_t Word(int strip, int y) const { return words_[Index(strip, y)]; }
+  /// The columns of a strip of blocks in a row, and behind it those of the rows
+  /// that follow; the lowest column is the lowest bit.
+  const std::uint64_t* Words(int strip, int y) const {
+    return words_.data() + Index(strip, y);
+  }
 
   void Mark(int x, int y) { *At(x / kBlockWidth, y) |= Bit(x); }
 

@@ -68,6 +68,7 @@ class ScanInserter {
     bool is_hit;
   };
 
+  void FindDirections(const LaserScan& scan);
   /// @return false when no beam says anything.
   bool TraceBeams(const LaserScan& scan, const Pose2D& laser_pose);
   /// m of a beam, from the laser on, in which every cell that it passes through
@@ -91,6 +92,12 @@ class ScanInserter {
   /// A block of cells as low as misses can get them.
   std::array<LogOdds, CellMarks::kBlockWidth * CellMarks::kBlockHeight>
       cleared_;
+
+  // The directions of a scan's beams in the laser's frame, and what they were
+  // made from: it seldom changes.
+  std::vector<Eigen::Vector2d> directions_;
+  double angle_min_ = 0.0;
+  double angle_increment_ = 0.0;
 
   // One scan's working memory, kept to be allocated once.
   std::vector<Beam> beams_;

@@ -19,7 +19,7 @@ Cells Marked(const CellMarks& marks) {
   Cells cells;
   for (int y = 0; y < kRows * CellMarks::kBlockHeight; ++y) {
     for (int x = 0; x < kColumns * CellMarks::kBlockWidth; ++x) {
-      const std::uint64_t word = marks.Word(x / CellMarks::kBlockWidth, y);
+      const std::uint64_t word = *marks.Words(x / CellMarks::kBlockWidth, y);
       if ((word >> x % CellMarks::kBlockWidth & 1) != 0) cells.emplace(x, y);
     }
   }
@@ -46,18 +46,18 @@ TEST(CellMarks, MarksSingleCells) {
   marks.Mark(0, 3);
   marks.Mark(63, 3);
   marks.Mark(64, 255);
-  EXPECT_EQ(marks.Word(0, 3), std::uint64_t{1} << 63 | 1);
-  EXPECT_EQ(marks.Word(1, 255), std::uint64_t{1});
+  EXPECT_EQ(*marks.Words(0, 3), std::uint64_t{1} << 63 | 1);
+  EXPECT_EQ(*marks.Words(1, 255), std::uint64_t{1});
   EXPECT_EQ(Marked(marks), (Cells{{0, 3}, {63, 3}, {64, 255}}));
 }
 
 TEST(CellMarks, MarksAFlatLineAcrossBlocks) {
   CellMarks marks = Empty();
   marks.MarkLine({200.5, 7.5}, {62.5, 7.5});
-  EXPECT_EQ(marks.Word(0, 7), std::uint64_t{3} << 62);
-  EXPECT_EQ(marks.Word(1, 7), ~std::uint64_t{0});
-  EXPECT_EQ(marks.Word(2, 7), ~std::uint64_t{0});
-  EXPECT_EQ(marks.Word(3, 7), std::uint64_t{0x1ff});
+  EXPECT_EQ(*marks.Words(0, 7), std::uint64_t{3} << 62);
+  EXPECT_EQ(*marks.Words(1, 7), ~std::uint64_t{0});
+  EXPECT_EQ(*marks.Words(2, 7), ~std::uint64_t{0});
+  EXPECT_EQ(*marks.Words(3, 7), std::uint64_t{0x1ff});
   EXPECT_EQ(Marked(marks).size(), 139u);
 }
 
