@@ -18,6 +18,10 @@ _PROGRAM_COMMANDS = {
     "simulator": "the simulator's speed",
 }
 
+_STAGES = ("localize", "map_insert", "inflation_update", "plan", "fit",
+           "control_tick")
+_HAIRPIN = os.path.join(scene.ROOT, "worlds", "hairpin.yaml")
+
 
 def _count(text):
     value = int(text)
@@ -50,6 +54,10 @@ def _add_world_options(parser):
                         help="folder of the worlds")
     parser.add_argument("--indices", type=_indices, metavar="I,J,...",
                         help="of the worlds (all there are)")
+    _add_config_option(parser)
+
+
+def _add_config_option(parser):
     parser.add_argument("--config", metavar="FILE",
                         default=os.path.join(scene.ROOT, "config",
                                              "jackal.yaml"),
@@ -63,6 +71,9 @@ def make_parser():
     for name, what in _PROGRAM_COMMANDS.items():
         commands.add_parser(name, help=what, add_help=False,
                             allow_abbrev=False)
+    cycle = commands.add_parser("cycle", help="what each stage of the stack "
+                                "takes in a drive of the paper's hairpin")
+    _add_config_option(cycle)
     static = commands.add_parser("barn", help="drives through BARN's worlds")
     static.add_argument("--start", type=poses.pose_argument,
                         default=barn.START, metavar="X,Y,YAW",
@@ -116,6 +127,11 @@ def _perform_all(runs, options):
         options.jobs, options.scheduler))
 
 
+def run_cycle(options):
+    options.rest = ["--world", _HAIRPIN, "--config", options.config]
+    return run_program(options)
+
+
 def run_barn(options):
     runs = barn.static_runs(options.worlds, options.config, options.indices,
                             options.runs, options.start)
@@ -142,6 +158,18 @@ def table(figures):
             for name, value in figures.items()]
 
 
+def cycle_table(figures):
+    """One line for each stage, in the order in which a cycle takes them, then
+    of what drive they are."""
+    form = "{:18}{:>8}{:>14}{:>12}".format
+    stages = sorted(figures["stages"].items(),
+                    key=lambda stage: _STAGES.index(stage[0]))
+    return [form("stage", "count", "median [us]", "99 % [us]"),
+            *(form(name, values["count"], _text(values["median_us"]),
+                   _text(values["p99_us"])) for name, values in stages),
+            "{outcome} after {time_s:.1f} s, {beams} beams".format(**figures)]
+
+
 def _text(value):
     if isinstance(value, float):
         return "{:,.0f}".format(value) if abs(value) >= 1e4 else \
@@ -151,7 +179,8 @@ def _text(value):
 
 def run(options):
     """The figures of a command, and the lines of its table."""
-    commands = {"barn": (run_barn, barn.table),
+    commands = {"cycle": (run_cycle, cycle_table),
+                "barn": (run_barn, barn.table),
                 "dynabarn": (run_dynabarn, barn.table),
                 "paper": (run_paper, paper_scenes.table)}
     perform, make_table = commands.get(options.command, (run_program, table))

@@ -91,7 +91,7 @@ class Referee {
 
 DriveResult Drive(const DriveTask& task) {
   Simulation simulation(task.world, task.simulation);
-  NavigationStack stack(task.stack, task.world.robots.front().pose);
+  NavigationStack stack(task.stack, task.world.robots.front().pose, task.times);
   if (task.course) stack.SetCourse(*task.course);
   stack.SetGoal(task.goal);
 

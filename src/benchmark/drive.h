@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "benchmark/navigation_stack.h"
+#include "benchmark/stage_times.h"
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/navigation/state_machine.h"
 #include "vfh_astar/simulation/simulation.h"
@@ -26,6 +27,7 @@ struct DriveTask {
   double finish_radius = 0.0;
   /// m that the robot has to be from its start for its time to begin.
   double start_distance = 0.0;
+  StageTimes* times = nullptr;  ///< takes the stack's, where not null.
 };
 
 /// The state of a drive at the time of a scan.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "benchmark/command.h"
+#include "benchmark/cycle_command.h"
 #include "benchmark/drive_command.h"
 #include "benchmark/mapping_command.h"
 #include "benchmark/planner_command.h"
@@ -15,8 +16,9 @@ namespace po = boost::program_options;
 using vfh_astar::Command;
 
 std::vector<Command> Commands() {
-  return {vfh_astar::DriveCommand(), vfh_astar::MappingCommand(),
-          vfh_astar::PlannerCommand(), vfh_astar::SimulatorCommand()};
+  return {vfh_astar::CycleCommand(), vfh_astar::DriveCommand(),
+          vfh_astar::MappingCommand(), vfh_astar::PlannerCommand(),
+          vfh_astar::SimulatorCommand()};
 }
 
 int FailUsage(const std::string& program) {

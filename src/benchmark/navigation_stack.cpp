@@ -14,8 +14,9 @@ StackParameters LoadStackParameters(const std::string& file) {
 }
 
 NavigationStack::NavigationStack(const StackParameters& parameters,
-                                 const Pose2D& start)
-    : mapper_(parameters.mapper, start),
+                                 const Pose2D& start, StageTimes* times)
+    : times_(times),
+      mapper_(parameters.mapper, start),
       planner_(parameters.planner),
       fitter_(parameters.fitter),
       navigator_(parameters.navigator),
@@ -30,31 +31,49 @@ void NavigationStack::InsertScan(const Sensing& sensing) {
   const Pose2D odom_from_base =
       Integrate(sensing.odom_from_base, sensing.twist,
                 sensing.scan.stamp - sensing.odometry_stamp);
-  const MapChange change =
-      mapper_.AddScan(sensing.scan, sensing.base_from_laser, odom_from_base);
-  if (!change.inserted) return;
+  {
+    const StageTimer timer(times_, Stage::kLocalize);
+    mapper_.Locate(sensing.scan, sensing.base_from_laser, odom_from_base);
+  }
+  StageTimer timer(times_, Stage::kMapInsert);
+  const MapChange change = mapper_.Enter(sensing.scan, sensing.base_from_laser);
+  if (!change.inserted) {
+    timer.Discard();
+    return;
+  }
+  timer.Stop();
+  TakeIn(change);
+}
+
+void NavigationStack::TakeIn(const MapChange& change) {
   if (change.resized) {
     const OccupancyGrid map = mapper_.grid_mapper().Map();
+    const StageTimer timer(times_, Stage::kInflationUpdate);
     planner_.SetMap(map);
     clearance_.SetMap(map);
   } else if (!change.window.empty()) {
     const std::vector<std::int8_t> values =
         mapper_.grid_mapper().Values(change.window);
+    const StageTimer timer(times_, Stage::kInflationUpdate);
     planner_.UpdateMap(change.window, values);
     clearance_.Update(change.window, values);
   }
 }
 
 void NavigationStack::Answer(const MotionRequest& request) {
+  StageTimer planning(times_, Stage::kPlan);
   PlanResult plan = planner_.Plan(
       {request.start.pose, request.goal, request.tolerance, path_});
+  planning.Stop();
   if (plan.outcome != Outcome::kSuccess) {
     navigator_.PlanFailed(request.id, plan.outcome, plan.message);
     return;
   }
   path_ = plan.path;
+  StageTimer fitting(times_, Stage::kFit);
   FitResult fit =
       fitter_.Fit({std::move(plan.path), request.start, plan.goal}, clearance_);
+  fitting.Stop();
   if (fit.outcome != Outcome::kSuccess) {
     navigator_.PlanFailed(request.id, fit.outcome, fit.message);
     return;
@@ -85,7 +104,9 @@ NavigatorOutput NavigationStack::Update(const Sensing& sensing) {
   input.scan = &sensing.scan;
   input.base_from_laser = sensing.base_from_laser;
   input.map = &clearance_;
+  StageTimer control(times_, Stage::kControlTick);
   NavigatorOutput output = navigator_.Update(input);
+  control.Stop();
   if (output.request && course_) {
     AnswerWithCourse(*output.request);
   } else if (output.request) {

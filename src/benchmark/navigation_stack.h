@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "benchmark/stage_times.h"
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/grid/clearance.h"
 #include "vfh_astar/laser_scan.h"
@@ -40,7 +41,9 @@ struct Sensing {
 class NavigationStack {
  public:
   /// @param[in] start of the robot in the map.
-  NavigationStack(const StackParameters& parameters, const Pose2D& start);
+  /// @param[in,out] times takes how long the stages took; null: nobody asks.
+  NavigationStack(const StackParameters& parameters, const Pose2D& start,
+                  StageTimes* times = nullptr);
 
   void SetGoal(const Pose2D& goal) { navigator_.SetGoal("goal", goal); }
 
@@ -58,9 +61,11 @@ class NavigationStack {
 
  private:
   void InsertScan(const Sensing& sensing);
+  void TakeIn(const MapChange& change);
   void Answer(const MotionRequest& request);
   void AnswerWithCourse(const MotionRequest& request);
 
+  StageTimes* times_;
   SlamMapper mapper_;
   PathPlanner planner_;
   TrajectoryFitter fitter_;

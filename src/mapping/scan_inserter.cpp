@@ -15,14 +15,9 @@ namespace {
 constexpr double kWidestGap = 2.0;
 
 constexpr int kTile = LogOddsGrid::kTileSize;
-static_assert(kTile == 64, "a row of a tile is one word of bits");
-
-constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
-
-/// The bits from `first` to `last`, both included.
-std::uint64_t BitsBetween(int first, int last) {
-  return (kAllBits << first) & (kAllBits >> (63 - last));
-}
+static_assert(kTile == CellMarks::kBlockWidth);
+/// In a tile, one above the other.
+constexpr int kBlocks = kTile / CellMarks::kBlockHeight;
 
 // Beams run alongside each other as far as these hold: at larger angles they
 // are not near enough to parallel within a cell, and at more than half a cell
@@ -47,18 +42,22 @@ cv::Rect CellsOf(const Eigen::AlignedBox2d& box, const GridGeometry& geometry) {
   return {cells(box.min()), cells(box.max()) + cv::Point(1, 1)};
 }
 
-/// A byte of ones for every bit that is set.
+/// For eight bits a byte of ones for each that is set.
+constexpr std::array<std::array<std::uint8_t, 8>, 256> MakeSpreadBits() {
+  std::array<std::array<std::uint8_t, 8>, 256> spread{};
+  for (int bits = 0; bits < 256; ++bits) {
+    for (int i = 0; i < 8; ++i) {
+      spread[bits][i] = (bits >> i & 1) != 0 ? 0xff : 0;
+    }
+  }
+  return spread;
+}
+constexpr auto kSpreadBits = MakeSpreadBits();
+
 void ExpandBits(std::uint64_t bits, std::uint8_t* bytes) {
   for (int i = 0; i < 64; i += 8) {
-    // Copies eight bits to eight bytes, keeps one bit in each and spreads it.
-    std::uint64_t spread = ((bits >> i) & 0xff) * 0x0101010101010101u;
-    spread &= 0x8040201008040201u;
-    spread += 0x00406070787c7e7fu;
-    spread = (spread >> 7) & 0x0101010101010101u;
-    spread *= 0xff;
-    for (int k = 0; k < 8; ++k) {
-      bytes[i + k] = static_cast<std::uint8_t>(spread >> (8 * k));
-    }
+    const auto& spread = kSpreadBits[bits >> i & 0xff];
+    std::copy(spread.begin(), spread.end(), bytes + i);
   }
 }
 
@@ -91,7 +90,9 @@ ScanInserter::ScanInserter(const ScanInserterParameters& parameters)
       hit_steps_(ToLogOdds(parameters.hit_probability) - kEvenOdds),
       miss_steps_(kEvenOdds - ToLogOdds(parameters.miss_probability)),
       lowest_(ToLogOdds(parameters.min_probability)),
-      highest_(ToLogOdds(parameters.max_probability)) {}
+      highest_(ToLogOdds(parameters.max_probability)) {
+  cleared_.fill(lowest_);
+}
 
 cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
                               LogOddsGrid& grid) {
@@ -113,7 +114,7 @@ cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
     beam.end = ToCellUnits(grid.geometry(), beam.end) - corner;
   }
   MarkBeams(ToCellUnits(grid.geometry(), laser_pose.position()) - corner,
-            scan.angle_increment, grid.geometry().resolution);
+            scan.angle_increment, grid);
   SpareSurfaces(grid.geometry().resolution);
 
   cv::Rect changed;
@@ -125,7 +126,25 @@ cv::Rect ScanInserter::Insert(const LaserScan& scan, const Pose2D& laser_pose,
   return changed;
 }
 
+void ScanInserter::FindDirections(const LaserScan& scan) {
+  if (directions_.size() == scan.ranges.size() &&
+      angle_min_ == scan.angle_min &&
+      angle_increment_ == scan.angle_increment) {
+    return;
+  }
+  angle_min_ = scan.angle_min;
+  angle_increment_ = scan.angle_increment;
+  directions_.clear();
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    directions_.emplace_back(std::cos(scan.Angle(i)), std::sin(scan.Angle(i)));
+  }
+}
+
 bool ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
+  FindDirections(scan);
+  const Eigen::Matrix2d rotation =
+      Eigen::Rotation2Dd(laser_pose.theta).toRotationMatrix();
+  const Eigen::Vector2d laser = laser_pose.position();
   beams_.clear();
   bool is_any = false;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
@@ -139,11 +158,8 @@ bool ScanInserter::TraceBeams(const LaserScan& scan, const Pose2D& laser_pose) {
       length = is_hit ? range : parameters_.max_urange;
     }
     is_any = is_any || length > 0.0;
-    const double angle = laser_pose.theta + scan.Angle(i);
-    beams_.push_back(
-        {laser_pose.position() +
-             length * Eigen::Vector2d(std::cos(angle), std::sin(angle)),
-         length, is_hit});
+    const Eigen::Vector2d way = rotation * (length * directions_[i]);
+    beams_.push_back({laser + way, length, is_hit});
   }
   return is_any;
 }
@@ -165,41 +181,29 @@ double ScanInserter::SharedLength(std::size_t beam, double increment,
 }
 
 void ScanInserter::MarkBeams(const Eigen::Vector2d& laser, double increment,
-                             double resolution) {
-  const std::size_t stride = tiles_.width;
-  const std::size_t words = tiles_.height * kTile * stride;
-  passed_.assign(words, 0);
-  ended_.assign(words, 0);
-  std::uint64_t* const passed = passed_.data();
+                             const LogOddsGrid& grid) {
+  const double resolution = grid.geometry().resolution;
+  passed_.Reset(tiles_.width, tiles_.height * kBlocks);
+  passed_.CloseBlocks([&](int column, int row) {
+    // Misses change nothing there.
+    const LogOddsGrid::Tile* tile =
+        grid.FindTile(tiles_.x + column, tiles_.y + row / kBlocks);
+    return tile && std::equal(cleared_.begin(), cleared_.end(),
+                              tile->begin() + row % kBlocks * cleared_.size());
+  });
+  ended_.Reset(tiles_.width, tiles_.height * kBlocks);
   for (std::size_t i = 0; i < beams_.size(); ++i) {
     const Beam& beam = beams_[i];
     if (beam.length == 0.0) continue;
     const double shared = SharedLength(i, increment, resolution) / beam.length;
-    const Eigen::Vector2d begin = laser + shared * (beam.end - laser);
-    TraverseRows(begin, beam.end, [=](int y, int first, int last) {
-      const unsigned low = std::min(first, last);
-      const unsigned high = std::max(first, last);
-      std::uint64_t* const row = passed + y * stride;
-      if (low / 64 == high / 64) {
-        row[low / 64] |= BitsBetween(low % 64, high % 64);
-        return true;
-      }
-      row[low / 64] |= kAllBits << low % 64;
-      for (unsigned word = low / 64 + 1; word < high / 64; ++word) {
-        row[word] = kAllBits;
-      }
-      row[high / 64] |= BitsBetween(0, high % 64);
-      return true;
-    });
+    passed_.MarkLine(laser + shared * (beam.end - laser), beam.end);
     if (!beam.is_hit) continue;
-    const auto x = static_cast<unsigned>(beam.end.x());
-    const auto y = static_cast<unsigned>(beam.end.y());
-    ended_[y * stride + x / 64] |= std::uint64_t{1} << x % 64;
+    ended_.Mark(static_cast<int>(beam.end.x()), static_cast<int>(beam.end.y()));
   }
 }
 
 void ScanInserter::SpareSurfaces(double resolution) {
-  const std::size_t stride = tiles_.width;
+  spared_.Reset(tiles_.width, tiles_.height * kBlocks);
   const double widest = kWidestGap / resolution;
   const auto hit_at = [this](std::size_t i) {
     return i < beams_.size() && beams_[i].is_hit ? &beams_[i].end : nullptr;
@@ -212,28 +216,23 @@ void ScanInserter::SpareSurfaces(double resolution) {
     if (gap < 1.0 || gap > widest) continue;
     // Before the first beam comes none: size_t wraps beyond all.
     if (!IsOneSurface(hit_at(i - 1), from, to, hit_at(i + 2))) continue;
-    TraverseRows(from, to, [&](int y, int first, int last) {
-      for (int x = std::min(first, last); x <= std::max(first, last); ++x) {
-        passed_[y * stride + x / 64] &= ~(std::uint64_t{1} << x % 64);
-      }
-      return true;
-    });
+    spared_.MarkLine(from, to);
   }
 }
 
 cv::Rect ScanInserter::ApplyTile(int column, int row, LogOddsGrid& grid) const {
-  const int stride = tiles_.width;
-  const std::size_t first_word =
-      static_cast<std::size_t>(row - tiles_.y) * kTile * stride +
-      (column - tiles_.x);
+  const int strip = column - tiles_.x;
+  const int first_row = (row - tiles_.y) * kTile;
+  const std::uint64_t* const passed = passed_.Words(strip, first_row);
+  const std::uint64_t* const ended = ended_.Words(strip, first_row);
+  const std::uint64_t* const spared = spared_.Words(strip, first_row);
   LogOdds* tile = nullptr;
   std::array<std::uint8_t, kTile> changed_columns{};
   int first_changed = kTile;
   int last_changed = -1;
   for (int y = 0; y < kTile; ++y) {
-    const std::size_t word = first_word + static_cast<std::size_t>(y) * stride;
-    const std::uint64_t hits = ended_[word];
-    const std::uint64_t misses = passed_[word] & ~hits;
+    const std::uint64_t hits = ended[y];
+    const std::uint64_t misses = passed[y] & ~(hits | spared[y]);
     if ((hits | misses) == 0) continue;
     if (!tile) tile = grid.MutableTile(column, row).data();
     if (!UpdateRow(misses, hits, tile + y * kTile, changed_columns)) continue;

@@ -87,6 +87,12 @@ void SlamMapper::LocalizeFrom(const Pose2D& pose) {
 MapChange SlamMapper::AddScan(const LaserScan& scan,
                               const Pose2D& base_from_laser,
                               const Pose2D& odom_from_base) {
+  Locate(scan, base_from_laser, odom_from_base);
+  return Enter(scan, base_from_laser);
+}
+
+void SlamMapper::Locate(const LaserScan& scan, const Pose2D& base_from_laser,
+                        const Pose2D& odom_from_base) {
   guarded_odometry_ = guard_.Add(scan.stamp, odom_from_base);
   localization_.odometry_jumps = guard_.jumps();
   if (!has_begun_) {
@@ -94,13 +100,18 @@ MapChange SlamMapper::AddScan(const LaserScan& scan,
     localized_odometry_ = guarded_odometry_;
     has_begun_ = true;
   }
-  const Pose2D pose = Localize(scan, base_from_laser);
-  map_from_guarded_ = pose * guarded_odometry_.Inverse();
-  map_from_odom_ = pose * odom_from_base.Inverse();
-  if (slam_ && slam_->revision() != revision_) return Rebuild();
-  Judge(scan, base_from_laser, pose);
+  pose_ = Localize(scan, base_from_laser);
+  map_from_guarded_ = pose_ * guarded_odometry_.Inverse();
+  map_from_odom_ = pose_ * odom_from_base.Inverse();
+  // A map about to be made anew is nothing to judge a pose by.
+  if (!IsToRebuild()) Judge(scan, base_from_laser, pose_);
+}
+
+MapChange SlamMapper::Enter(const LaserScan& scan,
+                            const Pose2D& base_from_laser) {
+  if (IsToRebuild()) return Rebuild();
   if (localization_.is_lost) return {};
-  return grid_.AddScan(scan, pose * base_from_laser);
+  return grid_.AddScan(scan, pose_ * base_from_laser);
 }
 
 /// The base's pose in the map.

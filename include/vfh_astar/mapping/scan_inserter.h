@@ -9,6 +9,7 @@
 
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/laser_scan.h"
+#include "vfh_astar/mapping/cell_marks.h"
 #include "vfh_astar/mapping/log_odds_grid.h"
 #include "vfh_astar/parameters.h"
 
@@ -67,6 +68,7 @@ class ScanInserter {
     bool is_hit;
   };
 
+  void FindDirections(const LaserScan& scan);
   /// @return false when no beam says anything.
   bool TraceBeams(const LaserScan& scan, const Pose2D& laser_pose);
   /// m of a beam, from the laser on, in which every cell that it passes through
@@ -74,8 +76,8 @@ class ScanInserter {
   double SharedLength(std::size_t beam, double increment,
                       double resolution) const;
   void MarkBeams(const Eigen::Vector2d& laser, double increment,
-                 double resolution);
-  /// Takes back the misses between neighbouring hits on one surface.
+                 const LogOddsGrid& grid);
+  /// Marks what lies between neighbouring hits on one surface.
   void SpareSurfaces(double resolution);
   cv::Rect ApplyTile(int column, int row, LogOddsGrid& grid) const;
   bool UpdateRow(
@@ -87,13 +89,22 @@ class ScanInserter {
   LogOdds miss_steps_;
   LogOdds lowest_;
   LogOdds highest_;
+  /// A block of cells as low as misses can get them.
+  std::array<LogOdds, CellMarks::kBlockWidth * CellMarks::kBlockHeight>
+      cleared_;
+
+  // The directions of a scan's beams in the laser's frame, and what they were
+  // made from: it seldom changes.
+  std::vector<Eigen::Vector2d> directions_;
+  double angle_min_ = 0.0;
+  double angle_increment_ = 0.0;
 
   // One scan's working memory, kept to be allocated once.
   std::vector<Beam> beams_;
   cv::Rect tiles_;  ///< the tiles that the scan touches.
-  // A bit per cell, a word per row of a tile; tiles_.width words per row.
-  std::vector<std::uint64_t> passed_;
-  std::vector<std::uint64_t> ended_;
+  CellMarks passed_;
+  CellMarks ended_;
+  CellMarks spared_;
 };
 
 }  // namespace vfh_astar

@@ -73,6 +73,12 @@ class SlamMapper {
   MapChange AddScan(const LaserScan& scan, const Pose2D& base_from_laser,
                     const Pose2D& odom_from_base);
 
+  /// The two parts of AddScan, one after the other: where the robot is, and
+  /// what it sees into the map.
+  void Locate(const LaserScan& scan, const Pose2D& base_from_laser,
+              const Pose2D& odom_from_base);
+  MapChange Enter(const LaserScan& scan, const Pose2D& base_from_laser);
+
   /// Where odometry's frame lies in the map; before the first scan as if
   /// odometry began at the start.
   const Pose2D& map_from_odom() const { return map_from_odom_; }
@@ -92,6 +98,7 @@ class SlamMapper {
              const Pose2D& pose);
   void BeginSlam(const Pose2D& start);
   void LocalizeFrom(const Pose2D& pose);
+  bool IsToRebuild() const { return slam_ && slam_->revision() != revision_; }
   MapChange Rebuild();
 
   SlamMapperParameters parameters_;
@@ -108,6 +115,7 @@ class SlamMapper {
   std::optional<double> localized_at_;  ///< s, and when that was.
   std::vector<KeptScan> kept_;          ///< one for each pose of slam_.
   int revision_ = 0;  ///< of slam_ that the map was made from.
+  Pose2D pose_;       ///< of the base in the map, at the last scan.
   Pose2D map_from_guarded_;
   Pose2D map_from_odom_;
   bool has_begun_ = false;

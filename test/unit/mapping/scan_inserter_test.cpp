@@ -251,11 +251,14 @@ void InsertSlowly(const ScanInserterParameters& parameters,
   }
 }
 
-/// Scans from random poses into a grid that need not grow.
-void ExpectAgreement(int beams, double increment, double resolution,
+/// Scans from random poses, up to `spread` m off, into a grid that need not
+/// grow.
+void ExpectAgreement(double spread, int beams, double increment,
+                     double resolution,
                      const std::function<float(int)>& range) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> offset(-6.0, 6.0);
+  std::uniform_real_distribution<double> offset(-spread, spread);
+  std::uniform_real_distribution<double> angle(-6.0, 6.0);
   ScanInserterParameters parameters;
   parameters.max_urange = 5.5;
   parameters.max_range = 7.0;
@@ -274,7 +277,7 @@ void ExpectAgreement(int beams, double increment, double resolution,
     scan.range_min = 0.3;
     scan.range_max = 8.0;
     for (int i = 0; i < beams; ++i) scan.ranges.push_back(range(i));
-    const Pose2D pose(offset(random), offset(random), offset(random));
+    const Pose2D pose(offset(random), offset(random), angle(random));
     const LogOddsGrid before = grid;
     const cv::Rect changed = inserter.Insert(scan, pose, grid);
     InsertSlowly(parameters, scan, pose, reference);
@@ -294,7 +297,7 @@ void ExpectAgreement(int beams, double increment, double resolution,
 TEST(ScanInserter, AgreesWithTheSlowReferenceOnWildRanges) {
   std::mt19937 random(12);
   std::uniform_real_distribution<float> length(0.0f, 9.0f);
-  ExpectAgreement(240, 0.02, 0.1, [&](int) {
+  ExpectAgreement(6.0, 240, 0.02, 0.1, [&](int) {
     const int kind = static_cast<int>(random() % 12);
     return kind == 0   ? kInf
            : kind == 1 ? kNan
@@ -308,9 +311,21 @@ TEST(ScanInserter, AgreesWithTheSlowReferenceInARoom) {
   std::mt19937 random(13);
   std::normal_distribution<float> noise(0.0f, 0.01f);
   float wall = 3.0f;
-  ExpectAgreement(1080, -0.00436, 0.05, [&](int beam) {
+  ExpectAgreement(6.0, 1080, -0.00436, 0.05, [&](int beam) {
     if (random() % 25 == 0) wall = 0.5f + 0.01f * (random() % 600);
     return beam % 97 == 0 ? kNan : wall + 0.002f * (beam % 40) + noise(random);
+  });
+}
+
+TEST(ScanInserter, AgreesWithTheSlowReferenceWhereAllIsCleared) {
+  // From about one place, so that cells all around get as low as they can,
+  // until something stands among them and goes again.
+  std::mt19937 random(14);
+  int scan = -1;
+  ExpectAgreement(0.6, 1440, 0.00436, 0.05, [&](int beam) {
+    if (beam == 0) ++scan;
+    const bool is_there = scan > 15 && scan % 8 < 4 && beam % 180 < 30;
+    return is_there ? 1.0f + 0.05f * (scan % 5) : random() % 2 ? 5.0f : kInf;
   });
 }
 
