@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "benchmark/quantile.h"
 #include "vfh_astar/planning/moving_ai.h"
 #include "vfh_astar/planning/uniform_search.h"
 

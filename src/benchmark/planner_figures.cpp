@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "benchmark/quantile.h"
+
 namespace vfh_astar {
-namespace {
-
-/// The value that a part of all values does not exceed.
-template <typename T>
-T Quantile(std::vector<T> values, double part) {
-  const auto rank = static_cast<std::size_t>(
-      std::min<double>(part * values.size(), values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[rank];
-}
-
-}  // namespace
 
 nlohmann::json PlannerFigures::ToJson() const {
   return {{"queries", queries},
