@@ -29,6 +29,8 @@ class Measurement {
   }
 
   void AddCycle(const NavigatorStatus& status, const Pose2D& pose) {
+    pose_error_ = (status.pose.position() - pose.position()).norm();
+    max_pose_error_ = std::max(max_pose_error_, pose_error_);
     if (status.state != State::kTracking) return;
     if (status.reference) {
       true_squared_error_ +=
@@ -44,6 +46,8 @@ class Measurement {
     result->path = path_;
     result->min_clearance = min_clearance_;
     result->max_error = max_error_;
+    result->pose_error = pose_error_;
+    result->max_pose_error = max_pose_error_;
     if (cycles_ == 0) return;
     result->rms_error = std::sqrt(squared_error_ / cycles_);
     result->true_rms_error = std::sqrt(true_squared_error_ / cycles_);
@@ -56,6 +60,8 @@ class Measurement {
   double squared_error_ = 0.0;
   double true_squared_error_ = 0.0;
   double max_error_ = 0.0;
+  double pose_error_ = 0.0;
+  double max_pose_error_ = 0.0;
   int cycles_ = 0;
 };
 

@@ -53,6 +53,9 @@ struct DriveResult {
   double true_rms_error = 0.0;  ///< m, likewise, of the true position: what
                                 ///< localisation errs counts too.
   double goal_heading_error = 0.0;  ///< rad, of the true heading at the end.
+  double pose_error = 0.0;          ///< m between the true position and the one
+                                    ///< believed, at the last scan,
+  double max_pose_error = 0.0;      ///< m, and the largest of all scans.
   std::optional<Collision> collision;
   std::vector<DriveSample> samples;
 };

@@ -120,6 +120,8 @@ nlohmann::json ToJson(const DriveResult& result) {
       {"rms_error_m", result.rms_error},
       {"max_error_m", result.max_error},
       {"true_rms_error_m", result.true_rms_error},
+      {"pose_error_m", result.pose_error},
+      {"max_pose_error_m", result.max_pose_error},
       {"goal_heading_error_deg", result.goal_heading_error * 180.0 / kPi}};
   if (result.collision) {
     json["collision"] = {{"time_s", result.collision->time},

@@ -65,8 +65,9 @@ void HitField::AddHit(const Eigen::Vector2d& at) {
   assert(side <= kLargestSide);
   std::array<float, kLargestSide> along_x;
   std::array<float, kLargestSide> along_y;
+  const float gain = static_cast<float>(gain_);
   FillGaussian(left - at.x(), spread_, 1.0, side, along_x.data());
-  FillGaussian(below - at.y(), spread_, gain_, side, along_y.data());
+  FillGaussian(below - at.y(), spread_, 255.0, side, along_y.data());
   const cv::Rect tiles(
       cv::Point(TileOf(left), TileOf(below)),
       cv::Point(TileOf(left + side - 1) + 1, TileOf(below + side - 1) + 1));
@@ -81,10 +82,10 @@ void HitField::AddHit(const Eigen::Vector2d& at) {
         std::uint8_t* const cells = &tile[Offset(first_x, y)];
         const float height = along_y[y - below];
         for (int x = first_x; x < last_x; ++x) {
-          const int old = cells[x - first_x];
+          const float old = cells[x - first_x];
+          const float missing = height * along_x[x - left] - old;
           cells[x - first_x] = static_cast<std::uint8_t>(
-              old + static_cast<int>((255 - old) * height * along_x[x - left] +
-                                     0.5f));
+              old + gain * std::max(0.0f, missing) + 0.5f);
         }
       }
     }

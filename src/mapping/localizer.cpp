@@ -8,8 +8,12 @@
 namespace vfh_astar {
 namespace {
 
-// Of the field's mean at the points, below which a place is not worth a look.
+// Of the field's mean at the points, below which a place is not worth a look:
+// at the start, and for a robot that is lost.
 constexpr double kLeastScore = 0.1;
+constexpr double kLeastFoundScore = 0.25;
+// What a place loses of its score at the edge of the window.
+constexpr double kEdgePenalty = 0.05;
 // Fewer hits on the map say nothing.
 constexpr int kFewestKnown = 30;
 
@@ -81,33 +85,40 @@ void Localizer::AddScan(const ScanShape& shape, const Pose2D& motion) {
     prior = RoughBelief(prior.mean, parameters_.start_distance,
                         parameters_.start_angle);
     start = Search(shape.probes, prior.mean, 2.0 * parameters_.start_distance,
-                   2.0 * parameters_.start_angle);
+                   2.0 * parameters_.start_angle, kLeastScore)
+                .value_or(prior.mean);
   }
   pose_ = matcher_.Align(field_, shape.probes, start, prior).belief.mean;
   is_settled_ = true;
   AddUnknown(shape.walls);
 }
 
-Pose2D Localizer::Search(const std::vector<Eigen::Vector2d>& points,
-                         const Pose2D& centre, double distance,
-                         double angle) const {
+std::optional<Pose2D> Localizer::Search(
+    const std::vector<Eigen::Vector2d>& points, const Pose2D& centre,
+    double distance, double angle, double least_score) const {
   SearchWindow window;
   window.linear = distance;
   window.angular = angle;
   window.angular_step = matcher_.parameters().angular_step;
+  // Of two places that fit alike (a corridor) the likelier one is taken.
+  window.linear_penalty = kEdgePenalty / (distance * distance);
+  window.angular_penalty = kEdgePenalty / (angle * angle);
   const std::optional<SearchResult> found =
-      SearchPose(field_, points, centre, window, kLeastScore);
-  return found ? found->pose : centre;
+      SearchPose(field_, points, centre, window, least_score);
+  if (!found) return std::nullopt;
+  return found->pose;
 }
 
 bool Localizer::FindAgain(const std::vector<Eigen::Vector2d>& points,
                           const Eigen::Vector2d& laser, const Pose2D& motion) {
   pose_ = pose_ * motion;
-  const Pose2D found =
-      Search(points, pose_, parameters_.lost_distance, parameters_.lost_angle);
+  const std::optional<Pose2D> found =
+      Search(points, pose_, parameters_.lost_distance, parameters_.lost_angle,
+             kLeastFoundScore);
+  if (!found) return false;
   const Pose2D pose = matcher_
-                          .Align(field_, points, found,
-                                 RoughBelief(found, parameters_.start_distance,
+                          .Align(field_, points, *found,
+                                 RoughBelief(*found, parameters_.start_distance,
                                              parameters_.start_angle))
                           .belief.mean;
   const MapAgreement agreement = CompareWithMap(
@@ -117,6 +128,7 @@ bool Localizer::FindAgain(const std::vector<Eigen::Vector2d>& points,
     return false;
   }
   pose_ = pose;
+  is_settled_ = true;
   return true;
 }
 

@@ -22,6 +22,7 @@ constexpr std::size_t kPartBetweenSolving = 50;
 void SlamParameters::Read(ParameterReader& reader) {
   reader.Number("linear_update", linear_update, 0.0, 10.0);
   reader.Number("angular_update", angular_update, 0.0, kPi);
+  reader.Number("temporal_update", temporal_update, 0.0, 3600.0);
   reader.Flag("loop_closure", loop_closure);
   reader.Group("matcher", matcher);
   motion.Read(reader);
@@ -38,8 +39,14 @@ Slam::Slam(const SlamParameters& parameters, std::uint32_t seed,
 bool Slam::AddScan(const LaserScan& scan, const Pose2D& base_from_laser,
                    const Pose2D& odometry) {
   const Pose2D motion = last_odometry_.Inverse() * odometry;
-  if (!nodes_.empty() && !IsDue(motion)) return false;
+  if (!nodes_.empty() && !IsDue(motion)) {
+    if (std::abs(scan.stamp - matched_at_) >= parameters_.temporal_update) {
+      Track(scan, base_from_laser, odometry);
+    }
+    return false;
+  }
   last_odometry_ = odometry;
+  matched_at_ = scan.stamp;
   SlamNode node;
   node.shape = matcher_.Shape(scan, base_from_laser);
   if (!nodes_.empty()) {
@@ -62,6 +69,20 @@ bool Slam::AddScan(const LaserScan& scan, const Pose2D& base_from_laser,
 bool Slam::IsDue(const Pose2D& motion) const {
   return motion.position().norm() >= parameters_.linear_update ||
          std::abs(motion.theta) >= parameters_.angular_update;
+}
+
+void Slam::Track(const LaserScan& scan, const Pose2D& base_from_laser,
+                 const Pose2D& odometry) {
+  matched_at_ = scan.stamp;
+  const Particle& best = filter_.best();
+  const Pose2D motion = last_odometry_.Inverse() * odometry;
+  const PoseBelief prior{
+      best.pose() * motion,
+      MotionInformation(parameters_.motion, best.pose(), motion)};
+  const Alignment alignment =
+      matcher_.Align(best.field, matcher_.Shape(scan, base_from_laser).probes,
+                     prior.mean, prior);
+  last_odometry_ = odometry * (alignment.belief.mean.Inverse() * best.pose());
 }
 
 void Slam::FollowFilter() {

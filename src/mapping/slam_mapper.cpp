@@ -5,10 +5,10 @@
 namespace vfh_astar {
 namespace {
 
-constexpr double kJudgingPeriod = 0.25;  // s
-constexpr int kFewestKnown = 30;         // hits on the map that say something
-constexpr int kDoubtsToBeLost = 4;       // in a row
-constexpr double kSearchPeriod = 0.5;    // s between two searches when lost
+constexpr int kFewestKnown = 30;       // hits on the map that say something
+constexpr int kFewestDoubts = 4;       // scans in a row, to be lost,
+constexpr double kPatience = 1.0;      // s for which they last
+constexpr double kSearchPeriod = 0.5;  // s between two searches when lost
 
 /// Hits that lie so near to something occupied are explained by it.
 double ReachOf(const LogOddsGrid& grid) {
@@ -35,7 +35,7 @@ SlamMapper::SlamMapper(const SlamMapperParameters& parameters,
       grid_(parameters.grid),
       map_from_guarded_(start),
       map_from_odom_(start) {
-  if (parameters_.localization == "slam") BeginSlam(start);
+  if (parameters_.localization == "slam") BeginSlam();
 }
 
 void SlamMapper::SetMap(const OccupancyGrid& map) {
@@ -45,17 +45,11 @@ void SlamMapper::SetMap(const OccupancyGrid& map) {
 }
 
 void SlamMapper::SetPose(const Pose2D& map_from_base) {
-  localization_.is_lost = false;
-  doubts_ = 0;
-  if (!has_begun_) {
-    start_ = map_from_base;
-    if (slam_) {
-      slam_ =
-          std::make_unique<Slam>(parameters_.slam, parameters_.seed, start_);
-    }
-  }
+  Trust();
+  if (!has_begun_) start_ = map_from_base;
   if (localizer_ || (slam_ && has_begun_)) LocalizeFrom(map_from_base);
   map_from_guarded_ = map_from_base * guarded_odometry_.Inverse();
+  map_from_odom_ = map_from_base * odometry_.Inverse();
 }
 
 void SlamMapper::Forget() {
@@ -63,12 +57,15 @@ void SlamMapper::Forget() {
   if (known_map_) grid_.SetMap(*known_map_);
   // What the poses were found by is forgotten with the map, unless it is given.
   if (slam_ || (localizer_ && !known_map_)) {
-    BeginSlam(map_from_guarded_ * guarded_odometry_);
+    BeginSlam();
+    Trust();
   }
 }
 
-void SlamMapper::BeginSlam(const Pose2D& start) {
-  slam_ = std::make_unique<Slam>(parameters_.slam, parameters_.seed, start);
+/// From where the robot is now.
+void SlamMapper::BeginSlam() {
+  slam_ = std::make_unique<Slam>(parameters_.slam, parameters_.seed,
+                                 map_from_guarded_ * guarded_odometry_);
   localizer_.reset();
   kept_.clear();
   revision_ = slam_->revision();
@@ -93,6 +90,7 @@ MapChange SlamMapper::AddScan(const LaserScan& scan,
 
 void SlamMapper::Locate(const LaserScan& scan, const Pose2D& base_from_laser,
                         const Pose2D& odom_from_base) {
+  odometry_ = odom_from_base;
   guarded_odometry_ = guard_.Add(scan.stamp, odom_from_base);
   localization_.odometry_jumps = guard_.jumps();
   if (!has_begun_) {
@@ -103,14 +101,17 @@ void SlamMapper::Locate(const LaserScan& scan, const Pose2D& base_from_laser,
   pose_ = Localize(scan, base_from_laser);
   map_from_guarded_ = pose_ * guarded_odometry_.Inverse();
   map_from_odom_ = pose_ * odom_from_base.Inverse();
-  // A map about to be made anew is nothing to judge a pose by.
-  if (!IsToRebuild()) Judge(scan, base_from_laser, pose_);
 }
 
 MapChange SlamMapper::Enter(const LaserScan& scan,
                             const Pose2D& base_from_laser) {
   if (IsToRebuild()) return Rebuild();
   if (localization_.is_lost) return {};
+  if (IsDoubtful(scan, base_from_laser, pose_)) {
+    Doubt(scan.stamp, pose_);
+    return {};
+  }
+  doubts_ = 0;
   return grid_.AddScan(scan, pose_ * base_from_laser);
 }
 
@@ -118,6 +119,8 @@ MapChange SlamMapper::Enter(const LaserScan& scan,
 Pose2D SlamMapper::Localize(const LaserScan& scan,
                             const Pose2D& base_from_laser) {
   if (slam_) {
+    // The robot may have moved since.
+    if (kept_.empty()) BeginSlam();
     if (slam_->AddScan(scan, base_from_laser, guarded_odometry_)) {
       kept_.push_back({scan, base_from_laser});
     }
@@ -137,11 +140,12 @@ void SlamMapper::FollowInMap(const LaserScan& scan,
     localization_.is_lost =
         !localizer_->FindAgain(matcher_.Shape(scan, base_from_laser).probes,
                                base_from_laser.position(), motion);
-    doubts_ = 0;
   } else {
     const bool is_due =
         motion.position().norm() >= parameters_.slam.linear_update ||
-        std::abs(motion.theta) >= parameters_.slam.angular_update;
+        std::abs(motion.theta) >= parameters_.slam.angular_update ||
+        std::abs(scan.stamp - localized_at_.value_or(0.0)) >=
+            parameters_.slam.temporal_update;
     if (localized_at_ && !is_due) return;
     localizer_->AddScan(matcher_.Shape(scan, base_from_laser), motion);
   }
@@ -149,23 +153,31 @@ void SlamMapper::FollowInMap(const LaserScan& scan,
   localized_at_ = scan.stamp;
 }
 
-void SlamMapper::Judge(const LaserScan& scan, const Pose2D& base_from_laser,
-                       const Pose2D& pose) {
-  if (localization_.is_lost || !(slam_ || localizer_)) return;
-  if (judged_at_ && std::abs(scan.stamp - *judged_at_) < kJudgingPeriod) return;
-  judged_at_ = scan.stamp;
+/// True when the scan contradicts the map at this pose.
+bool SlamMapper::IsDoubtful(const LaserScan& scan,
+                            const Pose2D& base_from_laser, const Pose2D& pose) {
+  if (!slam_ && !localizer_) return false;
   const MapAgreement agreement =
       CompareWithMap(grid_.grid(), matcher_.Shape(scan, base_from_laser).probes,
                      base_from_laser.position(), pose, ReachOf(grid_.grid()));
   localization_.agreement = agreement;
-  const bool is_doubtful =
-      agreement.known >= kFewestKnown &&
-      agreement.near_share() < parameters_.lost_near_share &&
-      agreement.pierced_share() > parameters_.lost_pierced_share;
-  doubts_ = is_doubtful ? doubts_ + 1 : 0;
-  if (doubts_ < kDoubtsToBeLost) return;
+  return agreement.known >= kFewestKnown &&
+         agreement.near_share() < parameters_.lost_near_share &&
+         agreement.pierced_share() > parameters_.lost_pierced_share;
+}
+
+void SlamMapper::Doubt(double stamp, const Pose2D& pose) {
+  if (doubts_ == 0) doubted_since_ = stamp;
+  ++doubts_;
+  if (doubts_ < kFewestDoubts || stamp - doubted_since_ < kPatience) return;
   localization_.is_lost = true;
-  if (slam_) LocalizeFrom(pose);
+  // What the last scans were matched with may hold them at wrong places.
+  LocalizeFrom(pose);
+}
+
+void SlamMapper::Trust() {
+  localization_.is_lost = false;
+  doubts_ = 0;
 }
 
 /// The map from the kept scans, with the poses as they are known now.

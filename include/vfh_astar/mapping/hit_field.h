@@ -13,9 +13,10 @@
 namespace vfh_astar {
 
 /// How near to the walls seen so far a place is: a likelihood field that grows
-/// hit by hit. Each hit raises the cells around it towards 1 by a Gaussian of
-/// its exact distance from their centres, so that a wall lies in the field
-/// finer than its cells and one seen often stands out from what was seen once.
+/// hit by hit. Each hit raises the cells around it towards a Gaussian of its
+/// exact distance from their centres, so that a wall lies in the field finer
+/// than its cells, and one seen often stands out from what was seen once, yet
+/// never wider than its hits lie.
 ///
 /// Cells lie in square tiles that come into being where hits fall; copies share
 /// their tiles until one of them writes, so that the particles of a filter
@@ -27,8 +28,8 @@ class HitField {
 
   /// @param[in] resolution m per cell.
   /// @param[in] sigma m, of a hit's Gaussian.
-  /// @param[in] gain within (0, 1]: the part of what is missing to 1 that a hit
-  ///   adds where it lies.
+  /// @param[in] gain within (0, 1]: the part of what is missing to its Gaussian
+  ///   that a hit adds.
   HitField(double resolution, double sigma, double gain);
 
   double resolution() const { return resolution_; }

@@ -2,6 +2,7 @@
 #define VFH_ASTAR_MAPPING_LOCALIZER_H_
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "vfh_astar/geometry.h"
@@ -18,7 +19,7 @@ struct LocalizerParameters {
   double start_angle = 0.3;     ///< rad likewise.
   double lost_distance = 3.0;   ///< m around the last pose in which a lost
   double lost_angle = 0.8;      ///< robot is looked for; rad likewise.
-  double found_share = 0.7;     ///< of the hits that have to lie on the map for
+  double found_share = 0.85;    ///< of the hits that have to lie on the map for
                                 ///< a lost robot to count as found.
 
   void Read(ParameterReader& reader);
@@ -52,8 +53,9 @@ class Localizer {
   const Pose2D& pose() const { return pose_; }
 
  private:
-  Pose2D Search(const std::vector<Eigen::Vector2d>& points,
-                const Pose2D& centre, double distance, double angle) const;
+  std::optional<Pose2D> Search(const std::vector<Eigen::Vector2d>& points,
+                               const Pose2D& centre, double distance,
+                               double angle, double least_score) const;
   void AddUnknown(const std::vector<Eigen::Vector2d>& walls);
 
   LocalizerParameters parameters_;

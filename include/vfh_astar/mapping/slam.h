@@ -16,8 +16,9 @@
 namespace vfh_astar {
 
 struct SlamParameters {
-  double linear_update = 0.4;   ///< m driven until the next scan is used.
-  double angular_update = 0.3;  ///< rad turned until the next scan is used.
+  double linear_update = 0.4;    ///< m driven until the next scan is used.
+  double angular_update = 0.3;   ///< rad turned until the next scan is used.
+  double temporal_update = 1.0;  ///< s until the pose is matched anyway.
   /// False leaves the particles alone with the map, as gmapping does.
   bool loop_closure = true;
   ScanMatcherParameters matcher;
@@ -41,7 +42,9 @@ class Slam {
   Slam(const SlamParameters& parameters, std::uint32_t seed,
        const Pose2D& start = Pose2D());
 
-  /// Takes in a scan, if the robot has moved far enough since the last.
+  /// Takes in a scan, if the robot has moved far enough since the last. Else
+  /// now and then the scan still says where the robot is, as odometry wears off
+  /// while it stands, too.
   /// @param[in] scan without defect (see DescribeDefect).
   /// @param[in] base_from_laser the laser in the base's frame.
   /// @param[in] odometry the base in a frame that only drifts.
@@ -74,6 +77,8 @@ class Slam {
 
  private:
   bool IsDue(const Pose2D& motion) const;
+  void Track(const LaserScan& scan, const Pose2D& base_from_laser,
+             const Pose2D& odometry);
   void ExtendGraph(const Pose2D& motion);
   void FindLoops();
   void Solve();
@@ -86,7 +91,8 @@ class Slam {
   std::vector<SlamNode> nodes_;
   std::vector<Pose2D> trajectory_;
   std::vector<PoseConstraint> constraints_;
-  Pose2D last_odometry_;
+  Pose2D last_odometry_;  ///< at the newest pose, less what has drifted since.
+  double matched_at_ = 0.0;  ///< s
   int revision_ = 0;
   bool is_unsettled_ = false;  ///< a tie disagrees with the poses.
   std::size_t solved_at_ = 0;  ///< scans when the graph was last solved.

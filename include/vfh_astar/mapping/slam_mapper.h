@@ -47,9 +47,9 @@ struct Localization {
 /// sees. Either way scans go into an occupancy map by GridMapper; when Slam
 /// finds out later where the robot has been, that map is made anew.
 ///
-/// A robot whose scans keep contradicting the map is lost: the map is left
-/// alone, and the robot looked for around its last pose until it is found or a
-/// pose is given.
+/// Scans that contradict the map are kept out of it; a robot whose scans keep
+/// doing so is lost: it is looked for around its last pose until it is found or
+/// a pose is given.
 class SlamMapper {
  public:
   /// @param[in] start of the base in the map, at the first scan.
@@ -63,7 +63,8 @@ class SlamMapper {
   /// better.
   void SetPose(const Pose2D& map_from_base);
 
-  /// The map begins anew: with the map given, or empty. The pose stays.
+  /// The map begins anew: with the map given, or empty. The pose stays; in an
+  /// empty map nobody is lost.
   void Forget();
 
   /// Takes in a scan.
@@ -94,9 +95,11 @@ class SlamMapper {
 
   Pose2D Localize(const LaserScan& scan, const Pose2D& base_from_laser);
   void FollowInMap(const LaserScan& scan, const Pose2D& base_from_laser);
-  void Judge(const LaserScan& scan, const Pose2D& base_from_laser,
-             const Pose2D& pose);
-  void BeginSlam(const Pose2D& start);
+  bool IsDoubtful(const LaserScan& scan, const Pose2D& base_from_laser,
+                  const Pose2D& pose);
+  void Doubt(double stamp, const Pose2D& pose);
+  void Trust();
+  void BeginSlam();
   void LocalizeFrom(const Pose2D& pose);
   bool IsToRebuild() const { return slam_ && slam_->revision() != revision_; }
   MapChange Rebuild();
@@ -107,7 +110,8 @@ class SlamMapper {
   std::optional<OccupancyGrid> known_map_;
   GridMapper grid_;
   OdometryGuard guard_;
-  Pose2D guarded_odometry_;
+  Pose2D odometry_;          ///< of the newest scan,
+  Pose2D guarded_odometry_;  ///< and without jumps.
   // One of the two localises, or none with odometry alone.
   std::unique_ptr<Slam> slam_;
   std::unique_ptr<Localizer> localizer_;
@@ -120,8 +124,8 @@ class SlamMapper {
   Pose2D map_from_odom_;
   bool has_begun_ = false;
   Localization localization_;
-  int doubts_ = 0;                   ///< in a row.
-  std::optional<double> judged_at_;  ///< s
+  int doubts_ = 0;              ///< scans in a row,
+  double doubted_since_ = 0.0;  ///< s, and when the first of them was taken.
 };
 
 }  // namespace vfh_astar

@@ -26,6 +26,13 @@ TEST(HitField, FurtherHitsAddAPartOfWhatIsMissing) {
   }
 }
 
+TEST(HitField, AWallSeenOftenStaysAsSharpAsItsHits) {
+  HitField field(0.05, 0.1, 0.5);
+  for (int i = 0; i < 50; ++i) field.Add({{0.025, 0.025}}, {});
+  EXPECT_NEAR(field.At({0.125, 0.025}).value, std::exp(-0.5), 0.02);
+  EXPECT_NEAR(field.At({0.225, 0.025}).value, std::exp(-2.0), 0.02);
+}
+
 TEST(HitField, PointsAreTakenToThePosesFrame) {
   HitField field(0.05, 0.05, 1.0);
   field.Add({{2.0, 1.0}}, {3.0, 4.0, 0.5 * kPi});
