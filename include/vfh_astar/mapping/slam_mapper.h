@@ -30,6 +30,10 @@ struct SlamMapperParameters {
   double lost_pierced_share = 0.25;  ///< more of which lie behind its walls,
                                      ///< when a pose is doubted.
 
+  /// A robot's scans come dense: what Slam takes for granted suits logs that
+  /// are thinned.
+  SlamMapperParameters() { slam.linear_update = 0.2; }
+
   void Read(ParameterReader& reader);
 };
 
