@@ -1,5 +1,6 @@
 #include "vfh_astar/mapping/slam_mapper.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfh_astar {
@@ -72,6 +73,10 @@ void SlamMapper::BeginSlam() {
 }
 
 void SlamMapper::LocalizeFrom(const Pose2D& pose) {
+  // In a map that stands still odometry's pull does not add up.
+  MotionModelParameters motion = parameters_.slam.motion;
+  motion.srr = std::min(motion.srr, MotionModelParameters().srr);
+  motion.linear_floor = MotionModelParameters().linear_floor;
   localizer_ =
       std::make_unique<Localizer>(parameters_.localizer, matcher_,
                                   parameters_.slam.motion, grid_.grid(), pose);

@@ -33,10 +33,12 @@ std::vector<Eigen::Vector2d> OfficeLoop() {
   return {{6, 22}, {40, 22}, {40, 6}, {6, 6}, {6, 11}};
 }
 
-MappedDrive DriveOffice(const std::string& noise, std::uint32_t seed) {
+/// @param[in] map_from_world where the world lies in the map.
+MappedDrive DriveOffice(const std::string& noise, std::uint32_t seed,
+                        const Pose2D& map_from_world = Pose2D()) {
   const World world = Office();
   return {world, FewBeams(noise, seed), OfficeParameters(),
-          world.robots.front().pose};
+          map_from_world * world.robots.front().pose};
 }
 
 /// Counts for each tenth of a metre how often something was hit in it, from
@@ -73,15 +75,18 @@ class SeenPlaces {
 };
 
 /// The share of occupied cells farther than the tolerance from any surface.
+/// @param[in] world_from_map where the map lies in the world.
 double ShareOfWrongCells(const OccupancyGrid& map, const World& world,
-                         int fewest_occupied) {
+                         int fewest_occupied,
+                         const Pose2D& world_from_map = Pose2D()) {
   int occupied = 0;
   int wrong = 0;
   for (int y = 0; y < map.geometry().height; ++y) {
     for (int x = 0; x < map.geometry().width; ++x) {
       if (map[{x, y}] < kOccupied) continue;
       ++occupied;
-      const Eigen::Vector2d place = map.geometry().ToWorld({x, y});
+      const Eigen::Vector2d place =
+          world_from_map * map.geometry().ToWorld({x, y});
       wrong += WallDistance(world, place) > kTolerance ? 1 : 0;
     }
   }
@@ -134,6 +139,26 @@ TEST(MappingInSimulation, WallsLieWhereTheyAreAfterALoopOf100Metres) {
     EXPECT_LT(ShareOfMissing(map, seen, world), 0.03) << seed;
     EXPECT_LT(drive.Error(), kTolerance) << seed;
     EXPECT_FALSE(drive.was_lost) << seed;
+  }
+}
+
+// Walls that lie along the rows of cells hold a pose; here they do not.
+TEST(MappingInSimulation, AMapThatIsTurnedIsRightOnceTheLoopIsClosed) {
+  const World world = Office();
+  const Pose2D map_from_world(0.013, 0.013, 0.8);
+  for (const std::uint32_t seed : {1, 2, 3}) {
+    MappedDrive drive = DriveOffice("experiment", seed, map_from_world);
+    drive.Follow({{6, 22}, {40, 22}, {40, 6}, {6, 6}, {6, 15}}, 1.4);
+    ASSERT_FALSE(drive.simulation.collision(0));
+    EXPECT_LT(ShareOfWrongCells(drive.mapper.grid_mapper().Map(), world, 5000,
+                                map_from_world.Inverse()),
+              0.02)
+        << seed;
+    const Eigen::Vector2d end =
+        (map_from_world.Inverse() * drive.believed).position();
+    EXPECT_LT((end - drive.simulation.TruePose(0).position()).norm(),
+              kTolerance)
+        << seed;
   }
 }
 
