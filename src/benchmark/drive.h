@@ -38,6 +38,13 @@ struct DriveSample {
   NavigatorStatus status;
 };
 
+/// What planner and fitter answered to a request.
+struct DriveMotion {
+  double time = 0.0;  ///< s
+  std::vector<Eigen::Vector2d> path;
+  Trajectory trajectory;
+};
+
 struct DriveResult {
   std::string
       outcome;  ///< success, collision, timeout, or the navigator's own.
@@ -53,6 +60,7 @@ struct DriveResult {
   double goal_heading_error = 0.0;  ///< rad, of the true heading at the end.
   std::optional<Collision> collision;
   std::vector<DriveSample> samples;
+  std::vector<DriveMotion> motions;
 };
 
 DriveResult Drive(const DriveTask& task);
