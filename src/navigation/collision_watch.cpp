@@ -16,14 +16,15 @@ double TimeToScanCollision(const Trajectory& trajectory, double from,
   const double end = std::min(from + horizon, trajectory.duration());
   const Footprint grown = footprint.Grown(margin);
   const double reach = grown.CircumscribedRadius();
-  const double travel = trajectory.Length(end) - trajectory.Length(from);
+  const double farthest =
+      trajectory.Length(end) - trajectory.Length(from) + reach;
   // The robot may be off the trajectory, so distances count from its start.
   const Pose2D start = trajectory.Sample(from).pose;
   const PointTransform map_from_robot(observation.pose);
   std::vector<Eigen::Vector2d> near;
   for (const Eigen::Vector2d& point : observation.obstacles) {
     const Eigen::Vector2d in_map = map_from_robot * point;
-    if ((in_map - start.position()).norm() <= travel + reach) {
+    if ((in_map - start.position()).squaredNorm() <= farthest * farthest) {
       near.push_back(in_map);
     }
   }
