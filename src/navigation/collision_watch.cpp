@@ -22,6 +22,7 @@ double TimeToScanCollision(const Trajectory& trajectory, double from,
   const Pose2D start = trajectory.Sample(from).pose;
   const PointTransform map_from_robot(observation.pose);
   std::vector<Eigen::Vector2d> near;
+  near.reserve(observation.obstacles.size());
   for (const Eigen::Vector2d& point : observation.obstacles) {
     const Eigen::Vector2d in_map = map_from_robot * point;
     if ((in_map - start.position()).squaredNorm() <= farthest * farthest) {

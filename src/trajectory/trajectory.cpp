@@ -25,6 +25,15 @@ Motion MotionAt(const TrajectoryPiece& piece, double tau) {
           Evaluate(piece.y, piece.duration, tau)};
 }
 
+// The derivative of the position by tau.
+Eigen::Vector2d ChangeAt(const TrajectoryPiece& piece, double tau) {
+  Eigen::Vector2d change = Eigen::Vector2d::Zero();
+  for (int i = 5; i > 0; --i) {
+    change = change * tau + i * Eigen::Vector2d(piece.x[i], piece.y[i]);
+  }
+  return change;
+}
+
 // m driven between the piece's start and `tau`, by Gauss-Legendre quadrature.
 double LengthWithin(const TrajectoryPiece& piece, double tau) {
   if (piece.kind == Kind::kTurn) return 0.0;
@@ -36,11 +45,9 @@ double LengthWithin(const TrajectoryPiece& piece, double tau) {
       0.2393143352496832, 0.1184634425280946};
   double length = 0.0;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
-    const Motion motion = MotionAt(piece, kNodes[i] * tau);
-    const Eigen::Vector2d velocity(motion.x.first, motion.y.first);
-    length += kWeights[i] * velocity.norm();
+    length += kWeights[i] * ChangeAt(piece, kNodes[i] * tau).norm();
   }
-  return length * tau * piece.duration;
+  return length * tau;
 }
 
 Reference SampleTurn(const TrajectoryPiece& piece, double tau) {
