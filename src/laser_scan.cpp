@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 namespace vfh_astar {
@@ -59,12 +60,19 @@ std::vector<Eigen::Vector2d> HitPoints(const LaserScan& scan,
                                        double max_range) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(scan.ranges.size());
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    const float range = scan.ranges[beam];
-    if (!scan.IsHit(range) || range > max_range) continue;
-    const double angle = laser_pose.theta + scan.Angle(beam);
-    points.emplace_back(laser_pose.x + range * std::cos(angle),
-                        laser_pose.y + range * std::sin(angle));
+  // Each beam's direction is the one before turned by the increment: over a
+  // thousand beams that loses 1e-13 rad.
+  const std::complex<double> turn = std::polar(1.0, scan.angle_increment);
+  std::complex<double> direction =
+      std::polar(1.0, laser_pose.theta + scan.angle_min);
+  for (const float range : scan.ranges) {
+    if (scan.IsHit(range) && range <= max_range) {
+      points.emplace_back(laser_pose.x + range * direction.real(),
+                          laser_pose.y + range * direction.imag());
+    }
+    direction = {
+        direction.real() * turn.real() - direction.imag() * turn.imag(),
+        direction.real() * turn.imag() + direction.imag() * turn.real()};
   }
   return points;
 }

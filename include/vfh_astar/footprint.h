@@ -39,7 +39,7 @@ struct Footprint {
     const double dx = std::max(-rear - point.x(), point.x() - front);
     const double dy = std::abs(point.y()) - half_width;
     if (dx <= 0.0 || dy <= 0.0) return std::max(dx, dy);
-    return std::hypot(dx, dy);
+    return std::sqrt(dx * dx + dy * dy);
   }
 
   /// The corners in the robot's frame, counter-clockwise from front left.

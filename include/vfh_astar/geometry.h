@@ -56,6 +56,28 @@ struct Pose2D {
   }
 };
 
+/// A pose that takes many points to its frame, its sine and cosine worked out
+/// once.
+class PointTransform {
+ public:
+  explicit PointTransform(const Pose2D& pose)
+      : x_(pose.x),
+        y_(pose.y),
+        cos_(std::cos(pose.theta)),
+        sin_(std::sin(pose.theta)) {}
+
+  Eigen::Vector2d operator*(const Eigen::Vector2d& point) const {
+    return {x_ + cos_ * point.x() - sin_ * point.y(),
+            y_ + sin_ * point.x() + cos_ * point.y()};
+  }
+
+ private:
+  double x_;
+  double y_;
+  double cos_;
+  double sin_;
+};
+
 /// Velocity of a differential-drive robot in its own frame.
 struct Twist2D {
   double v = 0.0;  ///< m/s, forward.

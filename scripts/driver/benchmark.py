@@ -8,7 +8,8 @@ import signal
 import subprocess
 import sys
 
-from driver import barn, drive_runs, paper_scenes, poses, scene
+from driver import (barn, drive_runs, paper_pictures, paper_scenes, poses,
+                    scene)
 
 # What the benchmark program does in one run, with options of its own.
 _PROGRAM_COMMANDS = {
@@ -82,6 +83,8 @@ def make_parser():
                                   help="drives through DynaBARN's worlds")
     paper = commands.add_parser("paper", help="drives through the paper's "
                                 "scenes with its configuration and the usual one")
+    paper.add_argument("--pictures", metavar="FOLDER",
+                       help="draw paths, trajectories and errors there")
     for command in (static, dynamic):
         _add_world_options(command)
     for command in (static, dynamic, paper):
@@ -147,6 +150,8 @@ def run_dynabarn(options):
 
 
 def run_paper(options):
+    if options.pictures:
+        paper_pictures.draw_all(options.pictures)
     return paper_scenes.summary(_perform_all(
         paper_scenes.runs(options.runs), options))
 

@@ -35,6 +35,10 @@ def _run(name, configuration, number):
                                             *_OPTIONS.get(name, ())))
 
 
+def first_run(name, configuration):
+    return _run(name, configuration, 0)
+
+
 def _mean(values):
     return sum(values) / len(values) if values else None
 

@@ -61,6 +61,19 @@ def read_start_and_goal(file):
             _pose(document, "goal", file, (2, 3)))
 
 
+def read_walls(file):
+    """The middle lines of a YAML world's walls, lists of (x, y) in m; a closed
+    one ends where it begins.
+
+    Raises WorldFileError for a file that cannot be parsed.
+    """
+    lines = []
+    for wall in (_parse(file) or {}).get("walls", ()):
+        points = [tuple(point) for point in wall["points"]]
+        lines.append(points + points[:1] if wall.get("closed") else points)
+    return lines
+
+
 def read_robots(file):
     """The robots of a world of this package, each with its start and its own
     goal.

@@ -124,6 +124,10 @@ DriveResult Drive(const DriveTask& task) {
     if (!simulation.HasNewScan(0)) continue;
     const NavigatorOutput output = stack.Update(SensingOf(simulation));
     if (output.command) simulation.SetCommand(0, *output.command);
+    if (output.request) {
+      result.motions.push_back(
+          {simulation.time(), stack.path(), stack.trajectory()});
+    }
     measurement.AddCycle(output.status, simulation.TruePose(0));
     result.replans = output.status.replans;
     result.samples.push_back({simulation.time(), simulation.TruePose(0),

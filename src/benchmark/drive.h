@@ -40,6 +40,13 @@ struct DriveSample {
   NavigatorStatus status;
 };
 
+/// What planner and fitter answered to a request.
+struct DriveMotion {
+  double time = 0.0;  ///< s
+  std::vector<Eigen::Vector2d> path;
+  Trajectory trajectory;
+};
+
 struct DriveResult {
   std::string
       outcome;  ///< success, collision, timeout, or the navigator's own.
@@ -58,6 +65,7 @@ struct DriveResult {
   double max_pose_error = 0.0;      ///< m, and the largest of all scans.
   std::optional<Collision> collision;
   std::vector<DriveSample> samples;
+  std::vector<DriveMotion> motions;
 };
 
 DriveResult Drive(const DriveTask& task);

@@ -31,6 +31,8 @@ po::options_description Options() {
   add("start-distance", po::value<double>()->default_value(0.0),
       "m from the start at which time begins");
   add("trace", po::value<std::string>(), "CSV file for the drive's course");
+  add("motions", po::value<std::string>(),
+      "CSV file for its paths and trajectories");
   return options;
 }
 
@@ -95,7 +97,7 @@ DriveTask TaskFrom(const po::variables_map& options) {
 void WriteTrace(const std::string& file, const DriveResult& result) {
   std::ofstream stream(file);
   stream << "time,x,y,theta,v,w,command_v,command_w,state,limited,e1,e2,e3,"
-            "clearance,reason\n";
+            "clearance,reference_x,reference_y,reason\n";
   for (const DriveSample& sample : result.samples) {
     const NavigatorStatus& status = sample.status;
     stream << sample.time << ',' << sample.pose.x << ',' << sample.pose.y << ','
@@ -103,10 +105,37 @@ void WriteTrace(const std::string& file, const DriveResult& result) {
            << sample.twist.w << ',' << sample.command.v << ','
            << sample.command.w << ',' << ToString(status.state) << ','
            << status.limited << ',' << status.error[0] << ',' << status.error[1]
-           << ',' << status.error[2] << ',' << status.clearance << ",\""
-           << status.reason << "\"\n";
+           << ',' << status.error[2] << ',' << status.clearance << ',';
+    if (status.reference) {
+      stream << status.reference->pose.x << ',' << status.reference->pose.y;
+    } else {
+      stream << ',';
+    }
+    stream << ",\"" << status.reason << "\"\n";
   }
   if (!stream) throw std::runtime_error("cannot write the trace " + file);
+}
+
+/// Lines of points, each under the number and the time of its motion.
+void WriteMotions(const std::string& file, const DriveResult& result) {
+  constexpr double kStep = 0.1;  // s between points of a trajectory.
+  std::ofstream stream(file);
+  stream << "motion,time,line,x,y\n";
+  for (std::size_t i = 0; i < result.motions.size(); ++i) {
+    const DriveMotion& motion = result.motions[i];
+    const auto write = [&](const char* line, const Eigen::Vector2d& point) {
+      stream << i << ',' << motion.time << ',' << line << ',' << point.x()
+             << ',' << point.y() << '\n';
+    };
+    for (const Eigen::Vector2d& point : motion.path) write("path", point);
+    if (motion.trajectory.empty()) continue;
+    const double duration = motion.trajectory.duration();
+    for (double t = 0.0; t < duration + kStep; t += kStep) {
+      write("trajectory",
+            motion.trajectory.Sample(std::min(t, duration)).pose.position());
+    }
+  }
+  if (!stream) throw std::runtime_error("cannot write the motions " + file);
 }
 
 nlohmann::json ToJson(const DriveResult& result) {
@@ -135,6 +164,9 @@ nlohmann::json Run(const po::variables_map& options) {
   const DriveResult result = Drive(TaskFrom(options));
   if (options.count("trace") != 0) {
     WriteTrace(options["trace"].as<std::string>(), result);
+  }
+  if (options.count("motions") != 0) {
+    WriteMotions(options["motions"].as<std::string>(), result);
   }
   return ToJson(result);
 }

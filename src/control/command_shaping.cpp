@@ -17,6 +17,10 @@ Twist2D LimitSpeed(const Twist2D& command, const RobotLimits& limits) {
   if (lateral > limits.max_lateral_acceleration) {
     scale *= std::sqrt(limits.max_lateral_acceleration / lateral);
   }
+  const double wheel =
+      scale * (std::abs(command.v) +
+               0.5 * limits.wheel_separation * std::abs(command.w));
+  if (wheel > limits.max_wheel_speed) scale *= limits.max_wheel_speed / wheel;
   return {scale * command.v, scale * command.w};
 }
 

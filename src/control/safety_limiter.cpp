@@ -64,7 +64,7 @@ bool SafetyLimiter::CanStop(
   const int steps = static_cast<int>(least_steps);
   for (int step = 1; step <= steps; ++step) {
     const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
-    const Pose2D robot_from_start = pose.Inverse();
+    const PointTransform robot_from_start(pose.Inverse());
     for (const Obstacle& obstacle : near) {
       const double distance =
           footprint_.SignedDistance(robot_from_start * obstacle.point);

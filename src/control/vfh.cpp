@@ -146,10 +146,13 @@ VfhResult Vfh::Update(const std::vector<Eigen::Vector2d>& obstacles,
   }
   result.open = true;
   result.direction = *direction;
-  const double slowing =
+  double slowing =
       parameters_.slow_angle >= kPi
           ? 1.0
           : std::max(0.0, 1.0 - std::abs(*direction) / parameters_.slow_angle);
+  // The arc through a point behind would first lead away from it, into what is
+  // being avoided.
+  if (std::abs(*direction) > 0.5 * kPi) slowing = 0.0;
   const double turn = 2.0 * parameters_.speed *
                       std::sin(std::clamp(*direction, -0.5 * kPi, 0.5 * kPi)) /
                       parameters_.look_ahead;

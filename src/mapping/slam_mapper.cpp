@@ -77,9 +77,8 @@ void SlamMapper::LocalizeFrom(const Pose2D& pose) {
   MotionModelParameters motion = parameters_.slam.motion;
   motion.srr = std::min(motion.srr, MotionModelParameters().srr);
   motion.linear_floor = MotionModelParameters().linear_floor;
-  localizer_ =
-      std::make_unique<Localizer>(parameters_.localizer, matcher_,
-                                  parameters_.slam.motion, grid_.grid(), pose);
+  localizer_ = std::make_unique<Localizer>(parameters_.localizer, matcher_,
+                                           motion, grid_.grid(), pose);
   localized_odometry_ = guarded_odometry_;
   localized_at_.reset();
   slam_.reset();

@@ -1,6 +1,7 @@
 #include "vfh_astar/navigation/collision_watch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -15,22 +16,37 @@ double TimeToScanCollision(const Trajectory& trajectory, double from,
   const double end = std::min(from + horizon, trajectory.duration());
   const Footprint grown = footprint.Grown(margin);
   const double reach = grown.CircumscribedRadius();
-  const double travel = trajectory.Length(end) - trajectory.Length(from);
+  const double farthest =
+      trajectory.Length(end) - trajectory.Length(from) + reach;
   // The robot may be off the trajectory, so distances count from its start.
   const Pose2D start = trajectory.Sample(from).pose;
+  const PointTransform map_from_robot(observation.pose);
   std::vector<Eigen::Vector2d> near;
+  near.reserve(observation.obstacles.size());
   for (const Eigen::Vector2d& point : observation.obstacles) {
-    const Eigen::Vector2d in_map = observation.pose * point;
-    if ((in_map - start.position()).norm() <= travel + reach) {
+    const Eigen::Vector2d in_map = map_from_robot * point;
+    if ((in_map - start.position()).squaredNorm() <= farthest * farthest) {
       near.push_back(in_map);
     }
   }
   if (near.empty()) return kNever;
+  // Around a place that has been looked at nothing is in the way until the
+  // robot's centre has moved by the room there was.
+  Eigen::Vector2d looked_at = start.position();
+  double room = 0.0;
   for (double time = from; time <= end; time += kStep) {
-    const Pose2D robot_from_map = trajectory.Sample(time).pose.Inverse();
+    const Pose2D pose = trajectory.Sample(time).pose;
+    if ((pose.position() - looked_at).norm() < room) continue;
+    const PointTransform robot_from_map(pose.Inverse());
+    double nearest = kNever;
     for (const Eigen::Vector2d& point : near) {
+      const double distance = (point - pose.position()).squaredNorm();
+      nearest = std::min(nearest, distance);
+      if (distance > reach * reach) continue;
       if (grown.Contains(robot_from_map * point)) return time - from;
     }
+    looked_at = pose.position();
+    room = std::sqrt(nearest) - reach;
   }
   return kNever;
 }

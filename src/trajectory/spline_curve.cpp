@@ -90,8 +90,8 @@ double LengthOf(const LengthRule& rule, const Eigen::Vector2d* points) {
 }
 
 // 1/m between two points of a curve, so that what is interpolated between them
-// keeps the limits that they keep.
-constexpr double kMaxCurvatureStep = 0.5;
+// keeps the limits that they keep and loses little time to them.
+constexpr double kMaxCurvatureStep = 0.25;
 
 // How to describe one interval by `count` spans.
 class IntervalRule {

@@ -25,6 +25,15 @@ Motion MotionAt(const TrajectoryPiece& piece, double tau) {
           Evaluate(piece.y, piece.duration, tau)};
 }
 
+// The derivative of the position by tau.
+Eigen::Vector2d ChangeAt(const TrajectoryPiece& piece, double tau) {
+  Eigen::Vector2d change = Eigen::Vector2d::Zero();
+  for (int i = 5; i > 0; --i) {
+    change = change * tau + i * Eigen::Vector2d(piece.x[i], piece.y[i]);
+  }
+  return change;
+}
+
 // m driven between the piece's start and `tau`, by Gauss-Legendre quadrature.
 double LengthWithin(const TrajectoryPiece& piece, double tau) {
   if (piece.kind == Kind::kTurn) return 0.0;
@@ -36,10 +45,9 @@ double LengthWithin(const TrajectoryPiece& piece, double tau) {
       0.2393143352496832, 0.1184634425280946};
   double length = 0.0;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
-    const Motion motion = MotionAt(piece, kNodes[i] * tau);
-    length += kWeights[i] * std::hypot(motion.x.first, motion.y.first);
+    length += kWeights[i] * ChangeAt(piece, kNodes[i] * tau).norm();
   }
-  return length * tau * piece.duration;
+  return length * tau;
 }
 
 Reference SampleTurn(const TrajectoryPiece& piece, double tau) {
@@ -142,17 +150,24 @@ double Trajectory::TimeAtLength(double length) const {
   const double wanted = length - start_lengths_[i];
   double low = 0.0;
   double high = 1.0;
-  // Bisection, because speed may vanish at either end of the piece.
+  // The secant is exact at constant speed; every other step halves, because
+  // speed may vanish at either end of the piece.
   constexpr double kTolerance = 1e-6;
   double reached = 0.0;
-  while (wanted - reached > kTolerance && high - low > 1e-9) {
-    const double middle = 0.5 * (low + high);
+  double beyond = start_lengths_[i + 1] - start_lengths_[i];
+  for (bool halve = false; wanted - reached > kTolerance && high - low > 1e-9;
+       halve = !halve) {
+    const double share =
+        halve ? 0.5
+              : (wanted - 0.5 * kTolerance - reached) / (beyond - reached);
+    const double middle = low + share * (high - low);
     const double here = LengthWithin(piece, middle);
     if (here <= wanted) {
       low = middle;
       reached = here;
     } else {
       high = middle;
+      beyond = here;
     }
   }
   return start_times_[i] + low * piece.duration;

@@ -48,6 +48,23 @@ TEST(LaserScanTest, HitsBecomePointsWhereTheyAre) {
   EXPECT_NEAR(points[1].y(), 0.0, 1e-6);
 }
 
+TEST(HitPointsTest, EveryBeamLiesInItsDirection) {
+  LaserScan scan;
+  scan.angle_min = -2.35619;
+  scan.angle_increment = 2.0 * 2.35619 / 1079.0;
+  scan.range_min = 0.1;
+  scan.range_max = 30.0;
+  scan.ranges.assign(1080, 30.0f);
+  const Pose2D laser(1.0, -2.0, 2.5);
+  const auto points = HitPoints(scan, laser, 30.0);
+  ASSERT_EQ(points.size(), 1080u);
+  for (std::size_t beam = 0; beam < points.size(); ++beam) {
+    const double angle = laser.theta + scan.Angle(beam);
+    EXPECT_NEAR(points[beam].x(), laser.x + 30.0 * std::cos(angle), 1e-10);
+    EXPECT_NEAR(points[beam].y(), laser.y + 30.0 * std::sin(angle), 1e-10);
+  }
+}
+
 TEST(WithoutLostBeamsTest, TakesOneOrTwoBetweenHitsForLost) {
   LaserScan scan = Usable();
   const float nan = std::nanf("");

@@ -6,8 +6,9 @@
 
 namespace vfh_astar {
 
-/// Scales a command into the limits on v, w and v * w along its arc, so that
-/// the robot drives the curve that was asked for, only slower.
+/// Scales a command into the limits on v, w, v * w and the speed of the faster
+/// side's wheels along its arc, so that the robot drives the curve that was
+/// asked for, only slower.
 Twist2D LimitSpeed(const Twist2D& command, const RobotLimits& limits);
 
 /// Moves from the previous command towards the wanted one by no more than the

@@ -28,6 +28,8 @@ struct VfhParameters {
   double speed = 0.6;             ///< m/s; the paper drives at a constant one.
   double slow_angle = 0.785398;   ///< rad off the chosen direction at which v
                                   ///< has fallen to 0; pi or more: constant.
+                                  ///< In any case it is 0 beyond pi / 2, for a
+                                  ///< turn on the spot.
   double low_pass = 0.5;          ///< b0 of the filter on w; a1 = 1 - b0.
 
   void Read(ParameterReader& reader);

@@ -42,6 +42,20 @@ TEST(LimitSpeedTest, LateralAcceleration) {
   EXPECT_NEAR(command.v, command.w, 1e-12);
 }
 
+TEST(LimitSpeedTest, TheFasterSidesWheels) {
+  RobotLimits limits = Limits();
+  limits.max_wheel_speed = 1.5;
+  limits.wheel_separation = 0.5;
+  limits.max_w = 10.0;
+  limits.max_lateral_acceleration = 10.0;
+  // 1 + 0.25 * 4 = 2 m/s on the outer side, where 1.5 is allowed.
+  for (const double side : {-1.0, 1.0}) {
+    const Twist2D command = LimitSpeed({1.0, 4.0 * side}, limits);
+    EXPECT_DOUBLE_EQ(command.v, 0.75);
+    EXPECT_DOUBLE_EQ(command.w, 3.0 * side);
+  }
+}
+
 TEST(LimitAccelerationTest, SpeedsUpSlowlyAndBrakesFast) {
   EXPECT_DOUBLE_EQ(LimitAcceleration({2, 0}, {0, 0}, Limits(), 0.1).v, 0.1);
   EXPECT_DOUBLE_EQ(LimitAcceleration({0, 0}, {2, 0}, Limits(), 0.1).v, 1.6);

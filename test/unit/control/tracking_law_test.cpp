@@ -54,6 +54,13 @@ TEST(TrackingCommandTest, EachTermByHand) {
   command = TrackingCommand({0.0, 0.2, 0.0}, reference, parameters);
   EXPECT_NEAR(command.v, 0.5, 1e-12);
   EXPECT_NEAR(command.w, 0.55, 1e-12);
+  // e3 alone: w = 0.25 + 5 * 0.1.
+  command = TrackingCommand({0.0, 0.0, 0.1}, reference, parameters);
+  EXPECT_NEAR(command.v, 0.5 * std::cos(0.1), 1e-12);
+  EXPECT_NEAR(command.w, 0.75, 1e-12);
+  // In reverse e2 turns the other way: w = 0.25 + 3 * -0.5 * 0.2.
+  command = TrackingCommand({0.0, 0.2, 0.0}, {-0.5, 0.25}, parameters);
+  EXPECT_NEAR(command.w, -0.05, 1e-12);
   // e3 = pi / 2 with e2: v = 0, w = 0.25 + 3 * 0.5 * (2 / pi) * 0.2
   //   + 5 * pi / 2.
   command = TrackingCommand({0.0, 0.2, kPi / 2}, reference, parameters);
@@ -82,6 +89,14 @@ TEST(TrackingCommandTest, AdaptiveGainsByHand) {
   const Twist2D turned =
       TrackingCommand({0.0, 0.1, 0.0}, {2.0, 3.0}, parameters);
   EXPECT_NEAR(turned.w, 3.0 + 4.0 * 2.0 * 0.1, 1e-12);
+  const Twist2D askew =
+      TrackingCommand({0.0, 0.0, 0.1}, {2.0, 3.0}, parameters);
+  EXPECT_NEAR(askew.v, 2.0 * std::cos(0.1), 1e-12);
+  EXPECT_NEAR(askew.w, 3.0 + 5.0 * 0.1, 1e-12);
+  // In reverse the gain keeps its sign: 2 * 0.5 * sqrt(4 * 1) = 2.
+  const Twist2D reverse =
+      TrackingCommand({0.1, 0.0, 0.0}, {-1.0, 0.0}, parameters);
+  EXPECT_NEAR(reverse.v, -1.0 + 2.0 * 0.1, 1e-12);
 }
 
 TEST(TrackingCommandTest, ConvergesFromRandomErrorsOnACircle) {

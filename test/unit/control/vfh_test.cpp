@@ -106,6 +106,20 @@ TEST(VfhTest, PassesAWallOnTheTargetsSide) {
   }
 }
 
+TEST(VfhTest, TurnsOnTheSpotToWhatLiesBehind) {
+  Vfh vfh(Parameters());
+  const VfhResult beside = vfh.Update({}, 1.5);
+  EXPECT_DOUBLE_EQ(beside.command.v, 0.5);
+  for (const double target : {1.7, -2.9}) {
+    vfh.Reset();
+    const VfhResult behind = vfh.Update({}, target);
+    EXPECT_DOUBLE_EQ(behind.direction, target);
+    EXPECT_EQ(behind.command.v, 0.0);
+    // As fast as at a right angle, 2 v / L.
+    EXPECT_DOUBLE_EQ(behind.command.w, std::copysign(1.0, target));
+  }
+}
+
 TEST(VfhTest, StopsWhenNothingIsOpen) {
   Points ring;
   for (double angle = -kPi; angle < kPi; angle += 0.01) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace vfh_astar {
 namespace {
 
@@ -55,6 +57,45 @@ TEST(TimeToScanCollisionTest, HitsAreSeenFromTheRobot) {
   EXPECT_NEAR(
       TimeToScanCollision(Steady(5.0), 0.0, 4.0, footprint, 0.0, observation),
       0.5, 0.051);
+}
+
+// Against every hit at every step, as the header has it.
+TEST(TimeToScanCollisionTest, SkipsNothingThatMatters) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<> place(-4.0, 4.0);
+  std::uniform_real_distribution<> speed(-2.0, 2.0);
+  const Footprint footprint;
+  int collisions = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    TrajectoryPiece piece;
+    piece.duration = 3.0;
+    piece.x = HermiteQuintic({0.0, speed(random), speed(random), 0.0},
+                             {place(random), speed(random), 0.0, 0.0}, 3.0);
+    piece.y = HermiteQuintic({0.0, speed(random), speed(random), 0.0},
+                             {place(random), speed(random), 0.0, 0.0}, 3.0);
+    const Trajectory trajectory({piece});
+    Observation observation;
+    observation.pose = trajectory.Sample(0.0).pose;
+    for (int i = 0; i < 20; ++i) {
+      observation.obstacles.emplace_back(place(random), place(random));
+    }
+    double expected = kNever;
+    for (double time = 0.0; time <= 2.0 && expected == kNever; time += 0.05) {
+      const Pose2D robot_from_map = trajectory.Sample(time).pose.Inverse();
+      for (const Eigen::Vector2d& point : observation.obstacles) {
+        if (footprint.Contains(robot_from_map * (observation.pose * point))) {
+          expected = time;
+        }
+      }
+    }
+    collisions += expected == kNever ? 0 : 1;
+    EXPECT_EQ(
+        TimeToScanCollision(trajectory, 0.0, 2.0, footprint, 0.0, observation),
+        expected)
+        << trial;
+  }
+  EXPECT_GT(collisions, 50);
+  EXPECT_LT(collisions, 250);
 }
 
 TEST(TimeToMapCollisionTest, ByHand) {

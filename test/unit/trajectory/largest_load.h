@@ -19,7 +19,8 @@ inline double LargestLoad(const Trajectory& trajectory,
     const double v = std::abs(at.twist.v);
     const double w = std::abs(at.twist.w);
     const double sign = at.twist.v < 0.0 ? -1.0 : 1.0;
-    const double a = sign * at.acceleration;
+    // At a standstill nothing says whether it speeds up or brakes.
+    const double a = v > 0.0 ? sign * at.acceleration : 0.0;
     load = std::max(
         {load, v / (at.twist.v < 0.0 ? limits.max_v_reverse : limits.max_v),
          v * w / limits.max_lateral_acceleration, w / limits.max_w,

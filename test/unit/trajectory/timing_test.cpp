@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "trajectory/fine_optimum.h"
 #include "trajectory/largest_load.h"
 #include "trajectory/test_maps.h"
 #include "vfh_astar/trajectory/curve_smoother.h"
@@ -72,6 +74,36 @@ TEST(TimeTurn, TrapezoidByHand) {
 TEST(TimeTurn, GoesOnFromARunningTurn) {
   const Trajectory trajectory(TimeTurn({0, 0, 0}, 1.0, 2.0, kLimits));
   EXPECT_NEAR(trajectory.Sample(0.0).twist.w, 2.0, 1e-9);
+}
+
+// 1/m; sharper ones are cusps, which no leg has.
+constexpr double kSharpestLeg = 12.0;
+
+double SharpestBend(const std::vector<CurvePoint>& points) {
+  double bend = 0.0;
+  for (const CurvePoint& point : points) {
+    bend = std::max(bend, std::abs(point.curvature));
+  }
+  return bend;
+}
+
+// 1.5 to 4.5 m of a random walk from the middle of the map on, smoothed.
+std::vector<CurvePoint> RandomWalk(std::mt19937& random) {
+  std::uniform_real_distribution<> unit(0.0, 1.0);
+  std::normal_distribution<> turn(0.0, 1.0);
+  const double wildness = 0.5 * unit(random);
+  const int count = 15 + static_cast<int>(30 * unit(random));
+  double heading = 0.0;
+  std::vector<Bubble> bubbles = {{{10, 10}, 0.0}};
+  for (int i = 1; i < count; ++i) {
+    heading += wildness * turn(random);
+    const Eigen::Vector2d step(std::cos(heading), std::sin(heading));
+    bubbles.push_back({bubbles.back().centre + 0.1 * step, 0.05});
+  }
+  return SmoothThroughBubbles({{10, 10}, 0.0, 0.0},
+                              {bubbles.back().centre, heading, 0.0}, 0.1,
+                              bubbles)
+      .Sample();
 }
 
 class TimeDriveTest : public ::testing::Test {
@@ -148,35 +180,25 @@ TEST_F(TimeDriveTest, ReverseTurnsTheHeadingAround) {
             0.0);
 }
 
-// Random walks, smoothed.
+TEST_F(TimeDriveTest, WithinTwoPercentOfTheFineOptimum) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 100; ++trial) {
+    const std::vector<CurvePoint> points = RandomWalk(random);
+    if (SharpestBend(points) > kSharpestLeg) continue;
+    const double optimum = FineOptimum(BentCurve(points), kLimits).Duration();
+    const double duration = Time(points, false, {}).duration();
+    EXPECT_LT(duration, 1.02 * optimum) << trial;
+    EXPECT_GT(duration, 0.99 * optimum) << trial;
+  }
+}
+
 TEST_F(TimeDriveTest, KeepsLimitsOnTenThousandCurves) {
   std::mt19937 random(8);
-  std::uniform_real_distribution<> unit(0.0, 1.0);
-  std::normal_distribution<> turn(0.0, 1.0);
   double sharpest = 0.0;
   for (int trial = 0; trial < 10000; ++trial) {
-    const double wildness = 0.5 * unit(random);
-    const int count = 15 + static_cast<int>(30 * unit(random));
-    double heading = 0.0;
-    std::vector<Bubble> bubbles = {{{10, 10}, 0.0}};
-    for (int i = 1; i < count; ++i) {
-      heading += wildness * turn(random);
-      bubbles.push_back(
-          {bubbles.back().centre +
-               0.1 * Eigen::Vector2d(std::cos(heading), std::sin(heading)),
-           0.05});
-    }
-    const std::vector<CurvePoint> points =
-        SmoothThroughBubbles({{10, 10}, 0.0, 0.0},
-                             {bubbles.back().centre, heading, 0.0}, 0.1,
-                             bubbles)
-            .Sample();
-    double bend = 0.0;
-    for (const CurvePoint& point : points) {
-      bend = std::max(bend, std::abs(point.curvature));
-    }
-    // Sharper ones are cusps, which no leg has.
-    if (bend > 12.0) continue;
+    const std::vector<CurvePoint> points = RandomWalk(random);
+    const double bend = SharpestBend(points);
+    if (bend > kSharpestLeg) continue;
     sharpest = std::max(sharpest, bend);
     const Trajectory trajectory = Time(points, trial % 5 == 0, {});
     ASSERT_LE(LargestLoad(trajectory, kLimits), 1.01) << trial;
