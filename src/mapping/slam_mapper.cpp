@@ -21,6 +21,7 @@ void SlamMapperParameters::Read(ParameterReader& reader) {
   grid.Read(reader);
   reader.Choice("localization", localization, {"slam", "odometry"});
   reader.Integer("seed", seed, 0, 1 << 30);
+  reader.Group("movers", movers);
   reader.Group("slam", slam);
   reader.Group("localizer", localizer);
   reader.Number("lost_near_share", lost_near_share, 0.0, 1.0);
@@ -31,6 +32,7 @@ SlamMapper::SlamMapper(const SlamMapperParameters& parameters,
                        const Pose2D& start)
     : parameters_(parameters),
       matcher_(parameters.slam.matcher),
+      tracker_(parameters.movers),
       start_(start),
       grid_(parameters.grid),
       map_from_guarded_(start),
@@ -84,10 +86,12 @@ void SlamMapper::LocalizeFrom(const Pose2D& pose) {
   kept_.clear();
 }
 
-MapChange SlamMapper::AddScan(const LaserScan& scan,
+MapChange SlamMapper::AddScan(const LaserScan& whole_scan,
                               const Pose2D& base_from_laser,
                               const Pose2D& odom_from_base) {
-  guarded_odometry_ = guard_.Add(scan.stamp, odom_from_base);
+  guarded_odometry_ = guard_.Add(whole_scan.stamp, odom_from_base);
+  const LaserScan scan =
+      WithoutMovers(whole_scan, guarded_odometry_ * base_from_laser);
   localization_.odometry_jumps = guard_.jumps();
   if (!has_begun_) {
     map_from_guarded_ = start_ * guarded_odometry_.Inverse();
@@ -101,6 +105,14 @@ MapChange SlamMapper::AddScan(const LaserScan& scan,
   Judge(scan, base_from_laser, pose);
   if (localization_.is_lost) return {};
   return grid_.AddScan(scan, pose * base_from_laser);
+}
+
+/// The scan without what moves, unless nothing else is in it.
+LaserScan SlamMapper::WithoutMovers(const LaserScan& scan,
+                                    const Pose2D& odom_from_laser) {
+  tracker_.AddScan(scan, odom_from_laser);
+  LaserScan still = tracker_.Without(scan);
+  return DescribeDefect(still) ? scan : still;
 }
 
 /// The base's pose in the map.

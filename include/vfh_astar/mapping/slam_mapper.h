@@ -15,6 +15,7 @@
 #include "vfh_astar/mapping/odometry_guard.h"
 #include "vfh_astar/mapping/slam.h"
 #include "vfh_astar/parameters.h"
+#include "vfh_astar/tracking/obstacle_tracker.h"
 
 namespace vfh_astar {
 
@@ -23,6 +24,7 @@ struct SlamMapperParameters {
   std::string localization = "slam";  ///< or odometry: poses are taken as
                                       ///< odometry gives them.
   int seed = 1;                       ///< of the particle filter.
+  TrackerParameters movers;           ///< what moves is left out of the map.
   SlamParameters slam;
   LocalizerParameters localizer;
   double lost_near_share = 0.35;     ///< of the hits, fewer of which lie on the
@@ -86,6 +88,7 @@ class SlamMapper {
     Pose2D base_from_laser;
   };
 
+  LaserScan WithoutMovers(const LaserScan& scan, const Pose2D& odom_from_laser);
   Pose2D Localize(const LaserScan& scan, const Pose2D& base_from_laser);
   void FollowInMap(const LaserScan& scan, const Pose2D& base_from_laser);
   void Judge(const LaserScan& scan, const Pose2D& base_from_laser,
@@ -96,6 +99,7 @@ class SlamMapper {
 
   SlamMapperParameters parameters_;
   ScanMatcher matcher_;
+  ObstacleTracker tracker_;
   Pose2D start_;
   std::optional<OccupancyGrid> known_map_;
   GridMapper grid_;

@@ -1,0 +1,164 @@
+#include "vfh_astar/control/evasion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "vfh_astar/control/command_shaping.h"
+
+namespace vfh_astar {
+namespace {
+
+constexpr double kStep = 0.1;         ///< s between two looks.
+constexpr double kTurnGain = 3.0;     ///< 1/s, from heading error to w.
+constexpr double kMostTurn = 2.5;     ///< rad/s
+constexpr double kReliable = 0.6;     ///< of the limits, what is counted on.
+constexpr double kReverse = 0.5;      ///< m/s
+constexpr double kStaticRoom = 0.06;  ///< m beside what stands.
+/// s in which a robot must be able to stop before what stands.
+constexpr double kTimeToStop = 0.8;
+
+constexpr double kLeastMargin = 0.03;  ///< m
+constexpr double kDeepest = 1.5;       ///< m short of comfort that still count.
+
+constexpr double kSpeeds[] = {0.3, 0.7, 1.1, 1.5, 1.9};  ///< m/s
+constexpr double kTurns[] = {0.0,  0.25,  -0.25, 0.5,   -0.5, 0.85, -0.85,
+                             1.25, -1.25, 1.75,  -1.75, 2.4,  -2.4, kPi};
+constexpr double kReverseTurns[] = {0.0, 0.4, -0.4, 0.8, -0.8};
+
+}  // namespace
+
+void EvasionParameters::Read(ParameterReader& reader) {
+  reader.Number("horizon", horizon, 0.5, 10.0);
+  reader.Number("margin", margin, 0.0, 2.0);
+  reader.Number("growth", growth, 0.0, 2.0);
+  reader.Number("comfort", comfort, 0.0, 5.0);
+  reader.Number("room_weight", room_weight, 0.0, 100.0);
+  reader.Number("contact_cost", contact_cost, 0.0, 100.0);
+  reader.Number("haste_cost", haste_cost, 0.0, 100.0);
+  reader.Number("change_weight", change_weight, 0.0, 100.0);
+  reader.Number("reverse_weight", reverse_weight, 0.0, 100.0);
+}
+
+Evasion::Evasion(const EvasionParameters& parameters,
+                 const Footprint& footprint, const RobotLimits& limits)
+    : parameters_(parameters), footprint_(footprint), limits_(limits) {}
+
+std::vector<Evasion::Motion> Evasion::Motions(const EvasionScene& scene) const {
+  const double target = std::atan2(scene.target.y(), scene.target.x());
+  std::vector<Motion> motions = {{0.0, 0.0}, {0.0, target}};
+  for (const double speed : kSpeeds) {
+    if (speed > limits_.max_v) continue;
+    motions.push_back({speed, 0.0});
+    for (const double turn : kTurns) {
+      motions.push_back({speed, NormalizeAngle(target + turn)});
+    }
+  }
+  const double reverse = std::min(kReverse, limits_.max_v_reverse);
+  if (reverse <= 0.0) return motions;
+  for (const double turn : kReverseTurns) motions.push_back({-reverse, turn});
+  return motions;
+}
+
+Twist2D Evasion::Steer(const Motion& motion, double heading) const {
+  const double error = NormalizeAngle(motion.heading - heading);
+  const double w = std::clamp(kTurnGain * error, -kMostTurn, kMostTurn);
+  return LimitSpeed({motion.speed * std::max(0.0, std::cos(error)), w},
+                    limits_);
+}
+
+Evasion::Outlook Evasion::Play(const Motion& motion,
+                               const EvasionScene& scene) const {
+  RobotLimits reliable = limits_;
+  reliable.max_acceleration *= kReliable;
+  reliable.max_deceleration *= kReliable;
+  reliable.max_angular_acceleration *= kReliable;
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  Outlook outlook{kNone, kNone, 0.0, kNone};
+  Pose2D pose;
+  Twist2D twist = scene.twist;
+  const double room_here = scene.room ? scene.room(pose.position()) : kNone;
+  const double least_room =
+      std::min(footprint_.InscribedRadius() + kStaticRoom, room_here - 0.01);
+  double time = 0.0;
+  while (time < parameters_.horizon) {
+    twist =
+        LimitAcceleration(Steer(motion, pose.theta), twist, reliable, kStep);
+    pose = Integrate(pose, twist, kStep);
+    time += kStep;
+    if (scene.room && scene.room(pose.position()) < least_room) {
+      outlook.free_time = time;
+      break;
+    }
+    for (const MovingObstacle& mover : scene.movers) {
+      const double gap = Gap(mover, pose.position(), time);
+      outlook.gap = std::min(outlook.gap, gap);
+      // Who is nearer than the margin already has to get away as best it can.
+      const double margin =
+          std::clamp(Gap(mover, Eigen::Vector2d::Zero(), 0.0) - 0.02,
+                     kLeastMargin, parameters_.margin);
+      if (gap < margin) {
+        outlook.contact_time = std::min(outlook.contact_time, time);
+      }
+    }
+  }
+  outlook.way = scene.target.norm() - (scene.target - pose.position()).norm();
+  return outlook;
+}
+
+double Evasion::Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
+                    double time) const {
+  return (mover.At(time) - place).norm() - mover.radius -
+         footprint_.CircumscribedRadius() - parameters_.growth * time;
+}
+
+double Evasion::Cost(const Motion& motion, const Outlook& outlook) const {
+  const double horizon = parameters_.horizon;
+  double cost = -outlook.way;
+  cost += parameters_.room_weight *
+          std::clamp(parameters_.comfort - outlook.gap, 0.0, kDeepest);
+  if (outlook.contact_time <= horizon) {
+    cost += parameters_.contact_cost +
+            parameters_.haste_cost * (1.0 - outlook.contact_time / horizon);
+  }
+  if (outlook.free_time < kTimeToStop) cost += parameters_.haste_cost;
+  if (last_heading_) {
+    cost += parameters_.change_weight *
+            std::abs(NormalizeAngle(motion.heading - *last_heading_));
+  }
+  if (motion.speed < 0.0) {
+    cost -= parameters_.reverse_weight * motion.speed * horizon;
+  }
+  return cost;
+}
+
+EvasionResult Evasion::Update(const EvasionScene& scene) {
+  struct Choice {
+    double cost;
+    Motion motion;
+    double contact_time;
+  };
+  std::vector<Choice> choices;
+  for (const Motion& motion : Motions(scene)) {
+    const Outlook outlook = Play(motion, scene);
+    choices.push_back({Cost(motion, outlook), motion, outlook.contact_time});
+  }
+  std::stable_sort(
+      choices.begin(), choices.end(),
+      [](const Choice& a, const Choice& b) { return a.cost < b.cost; });
+  const auto allowed =
+      std::find_if(choices.begin(), choices.end(), [&](const Choice& choice) {
+        return !scene.is_allowed || scene.is_allowed(Steer(choice.motion, 0.0));
+      });
+  const Choice& best = allowed == choices.end() ? choices.front() : *allowed;
+  last_heading_ = best.motion.heading;
+  EvasionResult result;
+  result.contact_time = best.contact_time;
+  result.command = Steer(best.motion, 0.0);
+  result.direction = best.motion.speed < 0.0
+                         ? NormalizeAngle(best.motion.heading + kPi)
+                         : best.motion.heading;
+  return result;
+}
+
+}  // namespace vfh_astar
