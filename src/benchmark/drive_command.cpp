@@ -95,7 +95,7 @@ DriveTask TaskFrom(const po::variables_map& options) {
 void WriteTrace(const std::string& file, const DriveResult& result) {
   std::ofstream stream(file);
   stream << "time,x,y,theta,v,w,command_v,command_w,state,limited,e1,e2,e3,"
-            "clearance,reason\n";
+            "clearance,reason,movers\n";
   for (const DriveSample& sample : result.samples) {
     const NavigatorStatus& status = sample.status;
     stream << sample.time << ',' << sample.pose.x << ',' << sample.pose.y << ','
@@ -104,7 +104,14 @@ void WriteTrace(const std::string& file, const DriveResult& result) {
            << sample.command.w << ',' << ToString(status.state) << ','
            << status.limited << ',' << status.error[0] << ',' << status.error[1]
            << ',' << status.error[2] << ',' << status.clearance << ",\""
-           << status.reason << "\"\n";
+           << status.reason << "\",";
+    // Each as x y vx vy radius, with semicolons between them.
+    for (const MovingObstacle& mover : status.movers) {
+      stream << mover.position.x() << ' ' << mover.position.y() << ' '
+             << mover.velocity.x() << ' ' << mover.velocity.y() << ' '
+             << mover.radius << ';';
+    }
+    stream << '\n';
   }
   if (!stream) throw std::runtime_error("cannot write the trace " + file);
 }

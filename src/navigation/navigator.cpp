@@ -396,6 +396,9 @@ void Navigator::Impl::DescribeTo(NavigatorStatus* status) const {
   if (HasGoal(status->state)) status->goal_id = goal_.id;
   status->pose = observation_.pose;
   status->speed = observation_.twist.v;
+  for (const MovingObstacle& mover : observation_.movers) {
+    status->movers.push_back(Transform(observation_.pose, mover));
+  }
   status->clearance =
       observation_.fault
           ? std::numeric_limits<double>::quiet_NaN()
