@@ -105,8 +105,11 @@ void WriteTrace(const std::string& file, const DriveResult& result) {
            << status.limited << ',' << status.error[0] << ',' << status.error[1]
            << ',' << status.error[2] << ',' << status.clearance << ",\""
            << status.reason << "\",";
-    // Each as x y vx vy radius, with semicolons between them.
-    for (const MovingObstacle& mover : status.movers) {
+    // Each as x y vx vy radius, with semicolons between them; in the world as
+    // the robot saw them from where it truly was.
+    const Pose2D world_from_map = sample.pose * status.pose.Inverse();
+    for (const MovingObstacle& seen : status.movers) {
+      const MovingObstacle mover = Transform(world_from_map, seen);
       stream << mover.position.x() << ' ' << mover.position.y() << ' '
              << mover.velocity.x() << ' ' << mover.velocity.y() << ' '
              << mover.radius << ';';

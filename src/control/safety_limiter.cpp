@@ -35,6 +35,8 @@ void SafetyLimiterParameters::Read(ParameterReader& reader) {
   reader.Number("angular_deceleration", angular_deceleration, 0.05, 100.0);
   reader.Number("scan_timeout", scan_timeout, 0.01, 5.0);
   reader.Number("swerve", swerve, 0.0, 2.0);
+  reader.Number("surprise", surprise, 0.0, 2.0);
+  reader.Number("hard_deceleration", hard_deceleration, 0.05, 50.0);
 }
 
 SafetyLimiter::SafetyLimiter(const SafetyLimiterParameters& parameters,
@@ -94,6 +96,7 @@ bool SafetyLimiter::CanStopBefore(
         reach + (1.0 + parameters_.swerve) * speed * duration) {
       continue;
     }
+    if (!IsReadyForTurn(command, hold, mover)) return false;
     const double step = std::min(
         kMoverStep, kSweepStep / (speed + std::abs(command.v) + kSlowest));
     for (double time = step; time < duration + step; time += step) {
@@ -113,6 +116,18 @@ bool SafetyLimiter::CanStopBefore(
     }
   }
   return true;
+}
+
+bool SafetyLimiter::IsReadyForTurn(const Twist2D& command, double hold,
+                                   const MovingObstacle& mover) const {
+  if (parameters_.surprise == 0.0 || std::abs(command.v) < kCreep) return true;
+  const double braking = std::abs(command.v) / parameters_.hard_deceleration;
+  const double duration = hold + braking;
+  const Pose2D end = Integrate(Pose2D(), command, hold + 0.5 * braking);
+  const double distance =
+      footprint_.SignedDistance(end.Inverse() * mover.position);
+  return distance >
+         mover.radius + parameters_.surprise * mover.velocity.norm() * duration;
 }
 
 bool SafetyLimiter::IsSafe(const Twist2D& command,

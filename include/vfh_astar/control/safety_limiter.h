@@ -17,8 +17,11 @@ struct SafetyLimiterParameters {
   double deceleration = 2.5;   ///< m/s^2 the robot brakes with for certain.
   double angular_deceleration = 8.0;  ///< rad/s^2
   double scan_timeout = 0.25;         ///< s; older scans stop the robot.
-  double swerve = 0.3;  ///< of its speed, by which a moving obstacle may have
-                        ///< left its straight way.
+  double swerve = 0.3;    ///< of its speed, by which a moving obstacle may have
+                          ///< left its straight way.
+  double surprise = 1.0;  ///< of its speed, with which it may come at the robot
+                          ///< from now on, and
+  double hard_deceleration = 5.0;  ///< m/s^2 the robot then brakes with.
 
   void Read(ParameterReader& reader);
 };
@@ -42,7 +45,8 @@ struct LimitedCommand {
 /// Things that move are discs on straight ways, growing with time by `swerve`
 /// of their speed. The same motion, now in time, must not bring the footprint
 /// nearer to one than the margin, or than it would come to a robot that stands,
-/// and must not touch one before the robot has come to rest.
+/// and must not touch one before the robot has come to rest. Nor must one that
+/// turns around now reach the robot before it stands when it brakes hard.
 class SafetyLimiter {
  public:
   SafetyLimiter(const SafetyLimiterParameters& parameters,
@@ -73,6 +77,8 @@ class SafetyLimiter {
               const std::vector<MovingObstacle>& movers) const;
 
  private:
+  bool IsReadyForTurn(const Twist2D& command, double hold,
+                      const MovingObstacle& mover) const;
   Twist2D ScaleDown(const Twist2D& command,
                     const std::vector<Eigen::Vector2d>& obstacles,
                     const std::vector<MovingObstacle>& movers) const;
