@@ -21,6 +21,12 @@ constexpr double kTimeToStop = 0.8;
 constexpr double kLeastMargin = 0.03;  ///< m
 constexpr double kDeepest = 1.5;       ///< m short of comfort that still count.
 
+// What SafetyLimiter will do beside something that might turn around: with less
+// room, speed falls to what can be braked.
+constexpr double kReaction = 0.1;    ///< s
+constexpr double kBraking = 5.0;     ///< m/s^2
+constexpr double kNearEnough = 1.5;  ///< m
+
 constexpr double kSpeeds[] = {0.3, 0.7, 1.1, 1.5, 1.9};  ///< m/s
 constexpr double kTurns[] = {0.0,  0.25,  -0.25, 0.5,   -0.5, 0.85, -0.85,
                              1.25, -1.25, 1.75,  -1.75, 2.4,  -2.4, kPi};
@@ -32,6 +38,7 @@ void EvasionParameters::Read(ParameterReader& reader) {
   reader.Number("horizon", horizon, 0.5, 10.0);
   reader.Number("margin", margin, 0.0, 2.0);
   reader.Number("growth", growth, 0.0, 2.0);
+  reader.Number("lead", lead, 0.0, 3.0);
   reader.Number("comfort", comfort, 0.0, 5.0);
   reader.Number("room_weight", room_weight, 0.0, 100.0);
   reader.Number("contact_cost", contact_cost, 0.0, 100.0);
@@ -84,7 +91,9 @@ Evasion::Outlook Evasion::Play(const Motion& motion,
   while (time < parameters_.horizon) {
     twist =
         LimitAcceleration(Steer(motion, pose.theta), twist, reliable, kStep);
-    pose = Integrate(pose, twist, kStep);
+    const Twist2D slowed = Slowed(twist, pose, time, scene);
+    pose = Integrate(pose, slowed, kStep);
+    twist.v = slowed.v;
     time += kStep;
     if (scene.room && scene.room(pose.position()) < least_room) {
       outlook.free_time = time;
@@ -106,9 +115,36 @@ Evasion::Outlook Evasion::Play(const Motion& motion,
   return outlook;
 }
 
+Twist2D Evasion::Slowed(const Twist2D& twist, const Pose2D& pose, double time,
+                        const EvasionScene& scene) const {
+  Twist2D slowed = twist;
+  const double radius = footprint_.CircumscribedRadius();
+  for (const MovingObstacle& mover : scene.movers) {
+    const Eigen::Vector2d way = mover.At(time) - pose.position();
+    const double speed = mover.velocity.norm();
+    const double distance = way.norm() - mover.radius - radius;
+    if (distance > kNearEnough) continue;
+    for (int halving = 0; halving < 3; ++halving) {
+      const double stop_time = kReaction + std::abs(slowed.v) / kBraking;
+      const double stop_way =
+          slowed.v * (kReaction + 0.5 * std::abs(slowed.v) / kBraking);
+      const double left =
+          (way - stop_way * pose.heading()).norm() - mover.radius - radius;
+      if (left > speed * stop_time) break;
+      slowed.v *= 0.5;
+    }
+  }
+  return slowed;
+}
+
 double Evasion::Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
                     double time) const {
-  return (mover.At(time) - place).norm() - mover.radius -
+  const Eigen::Vector2d ahead = parameters_.lead * mover.velocity;
+  const Eigen::Vector2d offset = place - mover.At(time);
+  const double length = ahead.squaredNorm();
+  const double along =
+      length == 0.0 ? 0.0 : std::clamp(offset.dot(ahead) / length, 0.0, 1.0);
+  return (offset - along * ahead).norm() - mover.radius -
          footprint_.CircumscribedRadius() - parameters_.growth * time;
 }
 

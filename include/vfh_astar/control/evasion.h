@@ -18,6 +18,8 @@ struct EvasionParameters {
   double horizon = 3.0;       ///< s that are looked ahead.
   double margin = 0.15;       ///< m to keep from what moves, and
   double growth = 0.1;        ///< m/s by which that grows with the time ahead.
+  double lead = 0.7;         ///< s of its way that count as its body, so that
+                             ///< the robot passes behind rather than before.
   double comfort = 1.0;       ///< m from which on more room is no better.
   double room_weight = 3.0;   ///< cost of a metre less than that, in m of way.
   double contact_cost = 3.0;  ///< m of way that a contact at the horizon costs,
@@ -80,6 +82,9 @@ class Evasion {
   /// m between robot and obstacle, less what its way is uncertain by.
   double Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
              double time) const;
+  /// The twist as what moves nearby will allow it.
+  Twist2D Slowed(const Twist2D& twist, const Pose2D& pose, double time,
+                 const EvasionScene& scene) const;
   double Cost(const Motion& motion, const Outlook& outlook) const;
 
   EvasionParameters parameters_;
