@@ -19,7 +19,7 @@ struct TrackerParameters {
   double max_extent = 1.6;  ///< m; what is larger is structure.
   double min_speed = 0.25;  ///< m/s; what is slower stands.
   double memory = 0.8;  ///< s for which it is known where there was nothing.
-  double coast_time = 1.0;  ///< s for which what is out of sight is believed to
+  double coast_time = 2.0;  ///< s for which what is out of sight is believed to
                             ///< go on as it did.
 
   void Read(ParameterReader& reader);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "vfh_astar/control/command_shaping.h"
+#include "vfh_astar/control/safety_limiter.h"
 
 namespace vfh_astar {
 namespace {
@@ -22,7 +23,7 @@ EvasionScene Scene(const Twist2D& twist,
 
 class EvasionTest : public testing::Test {
  protected:
-  /// Drives for a while among movers that do not yield.
+  /// Drives for a while among movers that do not yield, with the limiter last.
   /// @return m of the least distance to one; negative in contact.
   double Drive(EvasionScene scene, double duration) {
     Pose2D pose;
@@ -40,8 +41,15 @@ class EvasionTest : public testing::Test {
             least,
             footprint_.SignedDistance(scene.movers[i].position) - mover.radius);
       }
-      scene.twist = LimitAcceleration(evasion_.Update(scene).command,
-                                      scene.twist, limits_, 0.025);
+      scene.is_allowed = [&](const Twist2D& command) {
+        return limiter_.IsSafe(
+            LimitAcceleration(command, scene.twist, limits_, 0.025), {},
+            scene.movers);
+      };
+      const Twist2D command = LimitAcceleration(evasion_.Update(scene).command,
+                                                scene.twist, limits_, 0.025);
+      scene.twist =
+          limiter_.Limit(command, scene.twist, {}, scene.movers).command;
       pose = Integrate(pose, scene.twist, 0.025);
     }
     end_ = pose;
@@ -51,6 +59,7 @@ class EvasionTest : public testing::Test {
   Footprint footprint_;
   RobotLimits limits_ = RobotLimits::ForCommands();
   Evasion evasion_{EvasionParameters(), footprint_, limits_};
+  SafetyLimiter limiter_{SafetyLimiterParameters(), footprint_};
   Pose2D end_;
 };
 
@@ -63,7 +72,7 @@ TEST_F(EvasionTest, DrivesStraightToTheTargetWhereNothingIsInTheWay) {
 }
 
 TEST_F(EvasionTest, LetsACrossingMoverPass) {
-  EXPECT_GT(Drive(Scene({1.0, 0.0}, {{{2.0, -2.0}, {0.0, 1.0}, 0.5}}), 6.0),
+  EXPECT_GT(Drive(Scene({1.0, 0.0}, {{{2.0, -2.0}, {0.0, 1.0}, 0.5}}), 7.0),
             0.1);
   EXPECT_LT((end_.position() - Eigen::Vector2d(4.0, 0.0)).norm(), 1.0);
 }

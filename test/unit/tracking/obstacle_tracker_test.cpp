@@ -164,7 +164,7 @@ TEST_F(TrackerTest, KeepsWhatGoesOutOfSightForAWhile) {
   for (int step = 0; step < 25; ++step) Scan({});
   ASSERT_EQ(tracker_.Moving().size(), 1u);
   EXPECT_NEAR(tracker_.Moving()[0].position.y(), -0.02, 0.12);
-  for (int step = 0; step < 60; ++step) Scan({});
+  for (int step = 0; step < 120; ++step) Scan({});
   EXPECT_TRUE(tracker_.Moving().empty());
 }
 
