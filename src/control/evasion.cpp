@@ -99,14 +99,13 @@ Evasion::Outlook Evasion::Play(const Motion& motion,
       outlook.free_time = time;
       break;
     }
-    for (const MovingObstacle& mover : scene.movers) {
+    for (std::size_t i = 0; i < scene.movers.size(); ++i) {
+      const MovingObstacle& mover = scene.movers[i];
+      // Of what is far away there is no need to know how far.
+      if (IsBeyond(mover, pose.position(), time, parameters_.comfort)) continue;
       const double gap = Gap(mover, pose.position(), time);
       outlook.gap = std::min(outlook.gap, gap);
-      // Who is nearer than the margin already has to get away as best it can.
-      const double margin =
-          std::clamp(Gap(mover, Eigen::Vector2d::Zero(), 0.0) - 0.02,
-                     kLeastMargin, parameters_.margin);
-      if (gap < margin) {
+      if (gap < margins_[i]) {
         outlook.contact_time = std::min(outlook.contact_time, time);
       }
     }
@@ -121,9 +120,9 @@ Twist2D Evasion::Slowed(const Twist2D& twist, const Pose2D& pose, double time,
   const double radius = footprint_.CircumscribedRadius();
   for (const MovingObstacle& mover : scene.movers) {
     const Eigen::Vector2d way = mover.At(time) - pose.position();
+    const double near = kNearEnough + mover.radius + radius;
+    if (way.squaredNorm() > near * near) continue;
     const double speed = mover.velocity.norm();
-    const double distance = way.norm() - mover.radius - radius;
-    if (distance > kNearEnough) continue;
     for (int halving = 0; halving < 3; ++halving) {
       const double stop_time = kReaction + std::abs(slowed.v) / kBraking;
       const double stop_way =
@@ -135,6 +134,15 @@ Twist2D Evasion::Slowed(const Twist2D& twist, const Pose2D& pose, double time,
     }
   }
   return slowed;
+}
+
+bool Evasion::IsBeyond(const MovingObstacle& mover,
+                       const Eigen::Vector2d& place, double time,
+                       double gap) const {
+  const double reach = gap + mover.radius + footprint_.CircumscribedRadius() +
+                       parameters_.growth * time +
+                       parameters_.lead * mover.velocity.norm();
+  return (mover.At(time) - place).squaredNorm() > reach * reach;
 }
 
 double Evasion::Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
@@ -175,6 +183,13 @@ EvasionResult Evasion::Update(const EvasionScene& scene) {
     double contact_time;
   };
   std::vector<Choice> choices;
+  margins_.clear();
+  for (const MovingObstacle& mover : scene.movers) {
+    // Who is nearer than the margin already has to get away as best it can.
+    margins_.push_back(
+        std::clamp(Gap(mover, Eigen::Vector2d::Zero(), 0.0) - 0.02,
+                   kLeastMargin, parameters_.margin));
+  }
   for (const Motion& motion : Motions(scene)) {
     const Outlook outlook = Play(motion, scene);
     choices.push_back({Cost(motion, outlook), motion, outlook.contact_time});

@@ -133,8 +133,8 @@ bool SafetyLimiter::IsReadyForTurn(const Twist2D& command, double hold,
 bool SafetyLimiter::IsSafe(const Twist2D& command,
                            const std::vector<Eigen::Vector2d>& obstacles,
                            const std::vector<MovingObstacle>& movers) const {
-  return CanStop(command, parameters_.reaction_time, obstacles) &&
-         CanStopBefore(command, parameters_.reaction_time, movers);
+  return CanStopBefore(command, parameters_.reaction_time, movers) &&
+         CanStop(command, parameters_.reaction_time, obstacles);
 }
 
 Twist2D SafetyLimiter::ScaleDown(

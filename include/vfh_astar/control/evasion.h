@@ -18,8 +18,8 @@ struct EvasionParameters {
   double horizon = 3.0;       ///< s that are looked ahead.
   double margin = 0.15;       ///< m to keep from what moves, and
   double growth = 0.1;        ///< m/s by which that grows with the time ahead.
-  double lead = 0.7;         ///< s of its way that count as its body, so that
-                             ///< the robot passes behind rather than before.
+  double lead = 0.7;          ///< s of its way that count as its body, so that
+                              ///< the robot passes behind rather than before.
   double comfort = 1.0;       ///< m from which on more room is no better.
   double room_weight = 3.0;   ///< cost of a metre less than that, in m of way.
   double contact_cost = 3.0;  ///< m of way that a contact at the horizon costs,
@@ -79,6 +79,9 @@ class Evasion {
   std::vector<Motion> Motions(const EvasionScene& scene) const;
   Twist2D Steer(const Motion& motion, double heading) const;
   Outlook Play(const Motion& motion, const EvasionScene& scene) const;
+  /// True when Gap is certainly more than `gap`.
+  bool IsBeyond(const MovingObstacle& mover, const Eigen::Vector2d& place,
+                double time, double gap) const;
   /// m between robot and obstacle, less what its way is uncertain by.
   double Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
              double time) const;
@@ -91,6 +94,7 @@ class Evasion {
   Footprint footprint_;
   RobotLimits limits_;
   std::optional<double> last_heading_;
+  std::vector<double> margins_;  ///< m, of each of the scene's movers.
 };
 
 }  // namespace vfh_astar
