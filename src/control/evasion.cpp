@@ -9,7 +9,7 @@
 namespace vfh_astar {
 namespace {
 
-constexpr double kStep = 0.1;         ///< s between two looks.
+constexpr double kStep = 0.15;        ///< s between two looks.
 constexpr double kTurnGain = 3.0;     ///< 1/s, from heading error to w.
 constexpr double kMostTurn = 2.5;     ///< rad/s
 constexpr double kReliable = 0.6;     ///< of the limits, what is counted on.

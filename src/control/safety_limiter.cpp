@@ -15,8 +15,9 @@ constexpr double kMostSteps = 1e4;
 /// m by which a point within the margin may come nearer through rounding.
 constexpr double kTolerance = 1e-4;
 
-constexpr double kMoverStep = 0.05;  ///< s between two checks at most.
-constexpr double kSlowest = 0.1;     ///< m/s, so that a step is finite.
+constexpr double kFastestTurn = 4.0;  ///< rad/s, of any command.
+constexpr double kMoverStep = 0.05;   ///< s between two checks at most.
+constexpr double kSlowest = 0.1;      ///< m/s, so that a step is finite.
 
 /// m/s below which driving on is not worth giving up a turn for.
 constexpr double kCreep = 0.02;
@@ -128,6 +129,15 @@ bool SafetyLimiter::IsReadyForTurn(const Twist2D& command, double hold,
       footprint_.SignedDistance(end.Inverse() * mover.position);
   return distance >
          mover.radius + parameters_.surprise * mover.velocity.norm() * duration;
+}
+
+double SafetyLimiter::Reach(double speed) const {
+  // Turning, too, can take long to brake.
+  const double braking =
+      std::max(speed / parameters_.deceleration,
+               kFastestTurn / parameters_.angular_deceleration);
+  return speed * (parameters_.reaction_time + 0.5 * braking) +
+         footprint_.CircumscribedRadius() + parameters_.margin + kSweepStep;
 }
 
 bool SafetyLimiter::IsSafe(const Twist2D& command,

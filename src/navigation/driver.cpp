@@ -91,11 +91,22 @@ Twist2D Driver::Evade(const Observation& observation, double duration) {
   scene.target = Target(observation, kLookAhead);
   scene.movers = observation.movers;
   if (observation.map != nullptr) {
-    scene.room = [&](const Eigen::Vector2d& point) {
-      return observation.map->At(observation.pose * point);
+    // Asked thousands of times: the turn is worked out once.
+    const Eigen::Vector2d x_axis = observation.pose.heading();
+    const Eigen::Vector2d y_axis(-x_axis.y(), x_axis.x());
+    const Eigen::Vector2d origin = observation.pose.position();
+    const ClearanceMap& map = *observation.map;
+    scene.room = [=, &map](const Eigen::Vector2d& point) {
+      return map.At(origin + point.x() * x_axis + point.y() * y_axis);
     };
   }
-  const std::vector<Eigen::Vector2d> hits = AllHits(observation);
+  std::vector<Eigen::Vector2d> hits = AllHits(observation);
+  const double reach = limiter_.Reach(parameters_.limits.max_v);
+  hits.erase(std::remove_if(hits.begin(), hits.end(),
+                            [reach](const Eigen::Vector2d& hit) {
+                              return hit.squaredNorm() > reach * reach;
+                            }),
+             hits.end());
   scene.is_allowed = [&](const Twist2D& wanted) {
     return limiter_.IsSafe(Shape(wanted, duration), hits, observation.movers);
   };

@@ -71,6 +71,10 @@ class SafetyLimiter {
   bool CanStopBefore(const Twist2D& command, double hold,
                      const std::vector<MovingObstacle>& movers) const;
 
+  /// m from the robot beyond which nothing that stands limits a command of up
+  /// to `speed` (m/s) and 4 rad/s.
+  double Reach(double speed) const;
+
   /// True for a command that passes both for the reaction time.
   bool IsSafe(const Twist2D& command,
               const std::vector<Eigen::Vector2d>& obstacles,
