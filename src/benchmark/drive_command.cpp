@@ -97,7 +97,7 @@ DriveTask TaskFrom(const po::variables_map& options) {
 void WriteTrace(const std::string& file, const DriveResult& result) {
   std::ofstream stream(file);
   stream << "time,x,y,theta,v,w,command_v,command_w,state,limited,e1,e2,e3,"
-            "clearance,reference_x,reference_y,reason\n";
+            "clearance,reference_x,reference_y,reason,movers\n";
   for (const DriveSample& sample : result.samples) {
     const NavigatorStatus& status = sample.status;
     stream << sample.time << ',' << sample.pose.x << ',' << sample.pose.y << ','
@@ -111,7 +111,17 @@ void WriteTrace(const std::string& file, const DriveResult& result) {
     } else {
       stream << ',';
     }
-    stream << ",\"" << status.reason << "\"\n";
+    stream << ",\"" << status.reason << "\",";
+    // Each as x y vx vy radius, with semicolons between them; in the world as
+    // the robot saw them from where it truly was.
+    const Pose2D world_from_map = sample.pose * status.pose.Inverse();
+    for (const MovingObstacle& seen : status.movers) {
+      const MovingObstacle mover = Transform(world_from_map, seen);
+      stream << mover.position.x() << ' ' << mover.position.y() << ' '
+             << mover.velocity.x() << ' ' << mover.velocity.y() << ' '
+             << mover.radius << ';';
+    }
+    stream << '\n';
   }
   if (!stream) throw std::runtime_error("cannot write the trace " + file);
 }

@@ -36,7 +36,7 @@ void NavigationStack::InsertScan(const Sensing& sensing) {
     mapper_.Locate(sensing.scan, sensing.base_from_laser, odom_from_base);
   }
   StageTimer timer(times_, Stage::kMapInsert);
-  const MapChange change = mapper_.Enter(sensing.scan, sensing.base_from_laser);
+  const MapChange change = mapper_.Enter();
   if (!change.inserted) {
     timer.Discard();
     return;

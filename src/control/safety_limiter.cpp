@@ -15,6 +15,10 @@ constexpr double kMostSteps = 1e4;
 /// m by which a point within the margin may come nearer through rounding.
 constexpr double kTolerance = 1e-4;
 
+constexpr double kFastestTurn = 4.0;  ///< rad/s, of any command.
+constexpr double kMoverStep = 0.05;   ///< s between two checks at most.
+constexpr double kSlowest = 0.1;      ///< m/s, so that a step is finite.
+
 /// m/s below which driving on is not worth giving up a turn for.
 constexpr double kCreep = 0.02;
 
@@ -31,6 +35,9 @@ void SafetyLimiterParameters::Read(ParameterReader& reader) {
   reader.Number("deceleration", deceleration, 0.05, 50.0);
   reader.Number("angular_deceleration", angular_deceleration, 0.05, 100.0);
   reader.Number("scan_timeout", scan_timeout, 0.01, 5.0);
+  reader.Number("swerve", swerve, 0.0, 2.0);
+  reader.Number("surprise", surprise, 0.0, 2.0);
+  reader.Number("hard_deceleration", hard_deceleration, 0.05, 50.0);
 }
 
 SafetyLimiter::SafetyLimiter(const SafetyLimiterParameters& parameters,
@@ -74,33 +81,97 @@ bool SafetyLimiter::CanStop(
   return true;
 }
 
+bool SafetyLimiter::CanStopBefore(
+    const Twist2D& command, double hold,
+    const std::vector<MovingObstacle>& movers) const {
+  const double braking =
+      std::max(std::abs(command.v) / parameters_.deceleration,
+               std::abs(command.w) / parameters_.angular_deceleration);
+  if (braking == 0.0) return true;
+  const double duration = hold + braking;
+  const double reach = footprint_.CircumscribedRadius() + parameters_.margin +
+                       std::abs(command.v) * duration;
+  for (const MovingObstacle& mover : movers) {
+    const double speed = mover.velocity.norm();
+    if (mover.position.norm() - mover.radius >
+        reach + (1.0 + parameters_.swerve) * speed * duration) {
+      continue;
+    }
+    if (!IsReadyForTurn(command, hold, mover)) return false;
+    const double step = std::min(
+        kMoverStep, kSweepStep / (speed + std::abs(command.v) + kSlowest));
+    for (double time = step; time < duration + step; time += step) {
+      const double left = std::max(0.0, std::min(time, duration) - hold);
+      const double driven =
+          std::min(time, hold) + left - 0.5 * left * left / braking;
+      const double radius = mover.radius + parameters_.swerve * speed * time;
+      const Eigen::Vector2d centre = mover.At(time);
+      const double standing = footprint_.SignedDistance(centre) - radius;
+      const Pose2D pose = Integrate(Pose2D(), command, driven);
+      const double distance =
+          footprint_.SignedDistance(pose.Inverse() * centre) - radius;
+      if (distance < std::min(parameters_.margin, standing) - kTolerance ||
+          distance < -parameters_.swerve * speed * time) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool SafetyLimiter::IsReadyForTurn(const Twist2D& command, double hold,
+                                   const MovingObstacle& mover) const {
+  if (parameters_.surprise == 0.0 || std::abs(command.v) < kCreep) return true;
+  const double braking = std::abs(command.v) / parameters_.hard_deceleration;
+  const double duration = hold + braking;
+  const Pose2D end = Integrate(Pose2D(), command, hold + 0.5 * braking);
+  const double distance =
+      footprint_.SignedDistance(end.Inverse() * mover.position);
+  return distance >
+         mover.radius + parameters_.surprise * mover.velocity.norm() * duration;
+}
+
+double SafetyLimiter::Reach(double speed) const {
+  // Turning, too, can take long to brake.
+  const double braking =
+      std::max(speed / parameters_.deceleration,
+               kFastestTurn / parameters_.angular_deceleration);
+  return speed * (parameters_.reaction_time + 0.5 * braking) +
+         footprint_.CircumscribedRadius() + parameters_.margin + kSweepStep;
+}
+
+bool SafetyLimiter::IsSafe(const Twist2D& command,
+                           const std::vector<Eigen::Vector2d>& obstacles,
+                           const std::vector<MovingObstacle>& movers) const {
+  return CanStopBefore(command, parameters_.reaction_time, movers) &&
+         CanStop(command, parameters_.reaction_time, obstacles);
+}
+
 Twist2D SafetyLimiter::ScaleDown(
-    const Twist2D& command,
-    const std::vector<Eigen::Vector2d>& obstacles) const {
+    const Twist2D& command, const std::vector<Eigen::Vector2d>& obstacles,
+    const std::vector<MovingObstacle>& movers) const {
   double safe = 0.0;
   double unsafe = 1.0;
   for (int halving = 0; halving < 8; ++halving) {
     const double scale = 0.5 * (safe + unsafe);
     const Twist2D slower{scale * command.v, scale * command.w};
-    (CanStop(slower, parameters_.reaction_time, obstacles) ? safe : unsafe) =
-        scale;
+    (IsSafe(slower, obstacles, movers) ? safe : unsafe) = scale;
   }
   return {safe * command.v, safe * command.w};
 }
 
 LimitedCommand SafetyLimiter::Limit(
     const Twist2D& command, const Twist2D& twist,
-    const std::vector<Eigen::Vector2d>& obstacles) const {
+    const std::vector<Eigen::Vector2d>& obstacles,
+    const std::vector<MovingObstacle>& movers) const {
   if (!command.IsFinite() || !twist.IsFinite()) return {{0.0, 0.0}, true};
   if (!CanStop(twist, 0.0, obstacles)) return {{0.0, 0.0}, true};
-  if (CanStop(command, parameters_.reaction_time, obstacles)) {
-    return {command, false};
-  }
-  const Twist2D scaled = ScaleDown(command, obstacles);
+  if (IsSafe(command, obstacles, movers)) return {command, false};
+  const Twist2D scaled = ScaleDown(command, obstacles, movers);
   if (std::abs(scaled.v) >= kCreep || command.v == 0.0) return {scaled, true};
   const Twist2D turn{0.0, command.w};
-  if (CanStop(turn, parameters_.reaction_time, obstacles)) return {turn, true};
-  return {ScaleDown(turn, obstacles), true};
+  if (IsSafe(turn, obstacles, movers)) return {turn, true};
+  return {ScaleDown(turn, obstacles, movers), true};
 }
 
 }  // namespace vfh_astar

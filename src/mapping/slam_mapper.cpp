@@ -22,6 +22,7 @@ void SlamMapperParameters::Read(ParameterReader& reader) {
   grid.Read(reader);
   reader.Choice("localization", localization, {"slam", "odometry"});
   reader.Integer("seed", seed, 0, 1 << 30);
+  reader.Group("movers", movers);
   reader.Group("slam", slam);
   reader.Group("localizer", localizer);
   reader.Number("lost_near_share", lost_near_share, 0.0, 1.0);
@@ -32,6 +33,7 @@ SlamMapper::SlamMapper(const SlamMapperParameters& parameters,
                        const Pose2D& start)
     : parameters_(parameters),
       matcher_(parameters.slam.matcher),
+      tracker_(parameters.movers),
       start_(start),
       grid_(parameters.grid),
       map_from_guarded_(start),
@@ -89,34 +91,43 @@ MapChange SlamMapper::AddScan(const LaserScan& scan,
                               const Pose2D& base_from_laser,
                               const Pose2D& odom_from_base) {
   Locate(scan, base_from_laser, odom_from_base);
-  return Enter(scan, base_from_laser);
+  return Enter();
 }
 
 void SlamMapper::Locate(const LaserScan& scan, const Pose2D& base_from_laser,
                         const Pose2D& odom_from_base) {
   odometry_ = odom_from_base;
   guarded_odometry_ = guard_.Add(scan.stamp, odom_from_base);
+  newest_ = {WithoutMovers(scan, guarded_odometry_ * base_from_laser),
+             base_from_laser};
   localization_.odometry_jumps = guard_.jumps();
   if (!has_begun_) {
     map_from_guarded_ = start_ * guarded_odometry_.Inverse();
     localized_odometry_ = guarded_odometry_;
     has_begun_ = true;
   }
-  pose_ = Localize(scan, base_from_laser);
+  pose_ = Localize(newest_.scan, base_from_laser);
   map_from_guarded_ = pose_ * guarded_odometry_.Inverse();
   map_from_odom_ = pose_ * odom_from_base.Inverse();
 }
 
-MapChange SlamMapper::Enter(const LaserScan& scan,
-                            const Pose2D& base_from_laser) {
+MapChange SlamMapper::Enter() {
   if (IsToRebuild()) return Rebuild();
   if (localization_.is_lost) return {};
-  if (IsDoubtful(scan, base_from_laser, pose_)) {
-    Doubt(scan.stamp, pose_);
+  if (IsDoubtful(newest_.scan, newest_.base_from_laser, pose_)) {
+    Doubt(newest_.scan.stamp, pose_);
     return {};
   }
   doubts_ = 0;
-  return grid_.AddScan(scan, pose_ * base_from_laser);
+  return grid_.AddScan(newest_.scan, pose_ * newest_.base_from_laser);
+}
+
+/// The scan without what moves, unless nothing else is in it.
+LaserScan SlamMapper::WithoutMovers(const LaserScan& scan,
+                                    const Pose2D& odom_from_laser) {
+  tracker_.AddScan(scan, odom_from_laser);
+  LaserScan still = tracker_.Without(scan);
+  return DescribeDefect(still) ? scan : still;
 }
 
 /// The base's pose in the map.

@@ -62,4 +62,26 @@ double TimeToMapCollision(const Trajectory& trajectory, double from,
   return collision ? *collision - from : kNever;
 }
 
+double TimeToMoverCollision(const Trajectory& trajectory, double from,
+                            double horizon, double rate,
+                            const Footprint& footprint, double margin,
+                            double growth, const Observation& observation) {
+  constexpr double kStep = 0.05;
+  if (observation.movers.empty()) return kNever;
+  std::vector<MovingObstacle> movers;
+  for (const MovingObstacle& mover : observation.movers) {
+    movers.push_back(Transform(observation.pose, mover));
+  }
+  for (double time = 0.0; time <= horizon; time += kStep) {
+    const Pose2D robot_from_map =
+        trajectory.Sample(from + rate * time).pose.Inverse();
+    for (const MovingObstacle& mover : movers) {
+      const double distance =
+          footprint.SignedDistance(robot_from_map * mover.At(time));
+      if (distance < mover.radius + margin + growth * time) return time;
+    }
+  }
+  return kNever;
+}
+
 }  // namespace vfh_astar

@@ -11,10 +11,13 @@ namespace vfh_astar {
 Driver::Driver(const NavigatorParameters& parameters)
     : parameters_(parameters),
       vfh_(parameters.vfh),
+      evasion_(parameters.evasion, parameters.footprint, parameters.limits),
       limiter_(parameters.safety, parameters.footprint) {}
 
 void Driver::ParametersChanged() {
   vfh_ = Vfh(parameters_.vfh);
+  evasion_ =
+      Evasion(parameters_.evasion, parameters_.footprint, parameters_.limits);
   limiter_ = SafetyLimiter(parameters_.safety, parameters_.footprint);
 }
 
@@ -46,41 +49,84 @@ Twist2D Driver::Track(const Observation& observation, double duration,
   return TrackingCommand(error, reference.twist, parameters_.tracking);
 }
 
-double Driver::TargetDirection(const Observation& observation) const {
+Eigen::Vector2d Driver::Target(const Observation& observation,
+                               double distance) const {
   constexpr double kStep = 0.1;
-  const double look_ahead = parameters_.vfh.look_ahead;
   const double remaining =
       follower_.trajectory().duration() - follower_.clock();
   Eigen::Vector2d target = follower_.End().position();
   for (double ahead = 0.0; ahead < remaining; ahead += kStep) {
     const Eigen::Vector2d point = follower_.At(ahead).pose.position();
-    if ((point - observation.pose.position()).norm() >= look_ahead) {
+    if ((point - observation.pose.position()).norm() >= distance) {
       target = point;
       break;
     }
   }
-  const Eigen::Vector2d in_robot = observation.pose.Inverse() * target;
-  return std::atan2(in_robot.y(), in_robot.x());
+  return observation.pose.Inverse() * target;
 }
 
-Twist2D Driver::Avoid(const Observation& observation, double duration) {
+void Driver::LetReferenceWait(const Observation& observation, double duration) {
   if (parameters_.replan.lag == 0.0) {
     follower_.Advance(duration, 1.0);
   } else {
     constexpr double kHorizon = 2.0;  // s along the trajectory
     follower_.AdvanceToNearest(observation.pose.position(), kHorizon);
   }
-  avoidance_ = vfh_.Update(observation.obstacles, TargetDirection(observation));
+}
+
+Twist2D Driver::Avoid(const Observation& observation, double duration) {
+  LetReferenceWait(observation, duration);
+  const Eigen::Vector2d target =
+      Target(observation, parameters_.vfh.look_ahead);
+  avoidance_ =
+      vfh_.Update(observation.obstacles, std::atan2(target.y(), target.x()));
   return avoidance_.command;
+}
+
+Twist2D Driver::Evade(const Observation& observation, double duration) {
+  constexpr double kLookAhead = 4.0;  // m
+  LetReferenceWait(observation, duration);
+  EvasionScene scene;
+  scene.twist = previous_;
+  scene.target = Target(observation, kLookAhead);
+  scene.movers = observation.movers;
+  if (observation.map != nullptr) {
+    // Asked thousands of times: the turn is worked out once.
+    const Eigen::Vector2d x_axis = observation.pose.heading();
+    const Eigen::Vector2d y_axis(-x_axis.y(), x_axis.x());
+    const Eigen::Vector2d origin = observation.pose.position();
+    const ClearanceMap& map = *observation.map;
+    scene.room = [=, &map](const Eigen::Vector2d& point) {
+      return map.At(origin + point.x() * x_axis + point.y() * y_axis);
+    };
+  }
+  std::vector<Eigen::Vector2d> hits = AllHits(observation);
+  const double reach = limiter_.Reach(parameters_.limits.max_v);
+  hits.erase(std::remove_if(hits.begin(), hits.end(),
+                            [reach](const Eigen::Vector2d& hit) {
+                              return hit.squaredNorm() > reach * reach;
+                            }),
+             hits.end());
+  scene.is_allowed = [&](const Twist2D& wanted) {
+    return limiter_.IsSafe(Shape(wanted, duration), hits, observation.movers);
+  };
+  const EvasionResult result = evasion_.Update(scene);
+  avoidance_ = VfhResult();
+  avoidance_.open = true;
+  avoidance_.direction = result.direction;
+  return result.command;
+}
+
+Twist2D Driver::Shape(const Twist2D& wanted, double duration) const {
+  return LimitAcceleration(LimitSpeed(wanted, parameters_.limits), previous_,
+                           parameters_.limits, duration);
 }
 
 LimitedCommand Driver::Limit(const Twist2D& wanted,
                              const Observation& observation, double duration) {
-  const Twist2D command =
-      LimitAcceleration(LimitSpeed(wanted, parameters_.limits), previous_,
-                        parameters_.limits, duration);
   const LimitedCommand limited =
-      limiter_.Limit(command, observation.twist, observation.obstacles);
+      limiter_.Limit(Shape(wanted, duration), observation.twist,
+                     AllHits(observation), observation.movers);
   previous_ = limited.command;
   return limited;
 }

@@ -38,6 +38,7 @@ class Navigator::Impl {
  public:
   explicit Impl(const NavigatorParameters& parameters)
       : parameters_(parameters),
+        tracker_(parameters.movers),
         driver_(parameters_),
         schedule_(parameters.replan.period, parameters.replan.timeout),
         watch_(parameters_),
@@ -55,7 +56,8 @@ class Navigator::Impl {
     const double elapsed = time_ ? input.time - *time_ : 0.0;
     const double duration = std::clamp(elapsed, 0.0, kLongestCycle);
     time_ = input.time;
-    observation_ = Observe(input, parameters_);
+    TrackObstacles(input, tracker_);
+    observation_ = Observe(input, parameters_, &tracker_);
     const bool was_driving = IsDriving(machine_.state());
 
     TakeOrders();
@@ -96,6 +98,7 @@ class Navigator::Impl {
 
   NavigatorParameters parameters_;
   StateMachine machine_;
+  ObstacleTracker tracker_;
   Driver driver_;
   MotionRequestSchedule schedule_;
   TrajectoryWatch watch_;
@@ -336,6 +339,7 @@ Twist2D Navigator::Impl::Wanted(double duration) {
   if (machine_.state() == State::kRecovering) {
     return recovery_.Update(observation_).value_or(Twist2D());
   }
+  if (watch_.avoiding_movers()) return driver_.Evade(observation_, duration);
   if (watch_.avoiding()) return driver_.Avoid(observation_, duration);
   const bool hold_position = driver_.follower().ended() && watch_.at_end();
   return driver_.Track(observation_, duration, hold_position);
@@ -392,10 +396,13 @@ void Navigator::Impl::DescribeTo(NavigatorStatus* status) const {
   if (HasGoal(status->state)) status->goal_id = goal_.id;
   status->pose = observation_.pose;
   status->speed = observation_.twist.v;
+  for (const MovingObstacle& mover : observation_.movers) {
+    status->movers.push_back(Transform(observation_.pose, mover));
+  }
   status->clearance =
       observation_.fault
           ? std::numeric_limits<double>::quiet_NaN()
-          : FootprintClearance(parameters_.footprint, observation_.obstacles);
+          : FootprintClearance(parameters_.footprint, AllHits(observation_));
   if (HasGoal(status->state)) {
     status->distance_to_goal =
         (goal_.pose.position() - observation_.pose.position()).norm();

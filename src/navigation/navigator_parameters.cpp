@@ -57,6 +57,8 @@ void NavigatorParameters::Read(ParameterReader& reader) {
   reader.Number("actuation_delay", actuation_delay, 0.0, 0.5);
   reader.Group("tracking", tracking);
   reader.Group("vfh", vfh);
+  reader.Group("movers", movers);
+  reader.Group("evasion", evasion);
   reader.Group("safety", safety);
   reader.Group("goal", goal);
   reader.Group("replan", replan);

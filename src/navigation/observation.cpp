@@ -60,10 +60,29 @@ std::optional<Fault> FindFault(const NavigatorInput& input,
   return std::nullopt;
 }
 
+Pose2D OdomFromBase(const NavigatorInput& input, double time) {
+  return Integrate(input.odom_from_base, input.twist,
+                   time - *input.odometry_stamp);
+}
+
 }  // namespace
 
+void TrackObstacles(const NavigatorInput& input, ObstacleTracker& tracker) {
+  if (input.scan == nullptr || !input.odometry_stamp) return;
+  tracker.AddScan(*input.scan, OdomFromBase(input, input.scan->stamp) *
+                                   input.base_from_laser);
+}
+
+std::vector<Eigen::Vector2d> AllHits(const Observation& observation) {
+  std::vector<Eigen::Vector2d> hits = observation.obstacles;
+  hits.insert(hits.end(), observation.mover_hits.begin(),
+              observation.mover_hits.end());
+  return hits;
+}
+
 Observation Observe(const NavigatorInput& input,
-                    const NavigatorParameters& parameters) {
+                    const NavigatorParameters& parameters,
+                    const ObstacleTracker* tracker) {
   Observation observation;
   observation.time = input.time;
   observation.map = input.map;
@@ -71,18 +90,26 @@ Observation Observe(const NavigatorInput& input,
   observation.fault = FindFault(input, parameters);
   if (!input.odometry_stamp || !input.map_from_odom) return observation;
 
-  const auto odom_from_base_at = [&](double time) {
-    return Integrate(input.odom_from_base, input.twist,
-                     time - *input.odometry_stamp);
-  };
-  const Pose2D odom_from_now = odom_from_base_at(input.time);
+  const Pose2D odom_from_now = OdomFromBase(input, input.time);
   observation.pose = *input.map_from_odom * odom_from_now;
   if (observation.fault) return observation;
   const Pose2D now_from_laser = odom_from_now.Inverse() *
-                                odom_from_base_at(input.scan->stamp) *
+                                OdomFromBase(input, input.scan->stamp) *
                                 input.base_from_laser;
+  const double range_max = input.scan->range_max;
+  if (tracker == nullptr) {
+    observation.obstacles = HitPoints(*input.scan, now_from_laser, range_max);
+    return observation;
+  }
   observation.obstacles =
-      HitPoints(*input.scan, now_from_laser, input.scan->range_max);
+      HitPoints(tracker->Without(*input.scan), now_from_laser, range_max);
+  observation.mover_hits =
+      HitPoints(tracker->Only(*input.scan), now_from_laser, range_max);
+  const double age = input.time - input.scan->stamp;
+  for (MovingObstacle mover : tracker->Moving()) {
+    mover.position = mover.At(age);
+    observation.movers.push_back(Transform(odom_from_now.Inverse(), mover));
+  }
   return observation;
 }
 

@@ -10,6 +10,9 @@
 namespace vfh_astar {
 namespace {
 
+/// s that the way must be free of what moves, which may turn around.
+constexpr double kMoverGone = 1.0;
+
 std::string Metres(double distance) {
   char text[48];
   std::snprintf(text, sizeof(text), "%.2f m away", distance);
@@ -55,6 +58,14 @@ std::optional<Notice> TrajectoryWatch::Update(
     return Notice{Event::kStuck, ""};
   }
 
+  if (IsMoverAhead(observation, follower)) {
+    has_mover_ahead_ = true;
+    mover_seen_ahead_ = observation.time;
+    // To wait for it is no lack of progress.
+    progress_.Reset();
+  } else if (observation.time - mover_seen_ahead_ > kMoverGone) {
+    has_mover_ahead_ = false;
+  }
   const ReplanParameters& replan = parameters_.replan;
   const double to_scan = TimeToScanCollision(
       follower.trajectory(), follower.clock(), parameters_.avoidance.leave_time,
@@ -87,6 +98,11 @@ std::optional<Notice> TrajectoryWatch::WatchObstacles(
     clear = clearance > avoidance.leave_distance;
     detail = Metres(clearance);
   }
+  if (has_mover_ahead_) {
+    detail = "something that moves";
+    too_close = true;
+    clear = false;
+  }
   if (!avoiding_since_ && too_close) {
     avoiding_since_ = observation.time;
     return Notice{Event::kObstacle, detail};
@@ -97,6 +113,19 @@ std::optional<Notice> TrajectoryWatch::WatchObstacles(
     return Notice{Event::kClear, ""};
   }
   return std::nullopt;
+}
+
+bool TrajectoryWatch::IsMoverAhead(const Observation& observation,
+                                   const TrajectoryFollower& follower) const {
+  // A robot that has been held up may not catch up with its reference at once.
+  constexpr double kRates[] = {1.0, 0.6};
+  const EvasionParameters& evasion = parameters_.evasion;
+  return std::any_of(std::begin(kRates), std::end(kRates), [&](double rate) {
+    return TimeToMoverCollision(follower.trajectory(), follower.clock(),
+                                evasion.horizon, rate, parameters_.footprint,
+                                evasion.margin, evasion.growth,
+                                observation) < kNever;
+  });
 }
 
 std::optional<Notice> TrajectoryWatch::WatchBlockage(bool avoiding, double time,

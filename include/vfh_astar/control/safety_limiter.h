@@ -7,6 +7,7 @@
 #include "vfh_astar/footprint.h"
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/parameters.h"
+#include "vfh_astar/tracking/moving_obstacle.h"
 
 namespace vfh_astar {
 
@@ -16,6 +17,11 @@ struct SafetyLimiterParameters {
   double deceleration = 2.5;   ///< m/s^2 the robot brakes with for certain.
   double angular_deceleration = 8.0;  ///< rad/s^2
   double scan_timeout = 0.25;         ///< s; older scans stop the robot.
+  double swerve = 0.3;    ///< of its speed, by which a moving obstacle may have
+                          ///< left its straight way.
+  double surprise = 1.0;  ///< of its speed, with which it may come at the robot
+                          ///< from now on, and
+  double hard_deceleration = 5.0;  ///< m/s^2 the robot then brakes with.
 
   void Read(ParameterReader& reader);
 };
@@ -35,6 +41,12 @@ struct LimitedCommand {
 /// is scaled down along its arc, and where that leaves no way forward the robot
 /// may still turn on the spot. A point that lies within the margin already
 /// forbids only what brings it nearer, so that the robot can leave.
+///
+/// Things that move are discs on straight ways, growing with time by `swerve`
+/// of their speed. The same motion, now in time, must not bring the footprint
+/// nearer to one than the margin, or than it would come to a robot that stands,
+/// and must not touch one before the robot has come to rest. Nor must one that
+/// turns around now reach the robot before it stands when it brakes hard.
 class SafetyLimiter {
  public:
   SafetyLimiter(const SafetyLimiterParameters& parameters,
@@ -45,17 +57,35 @@ class SafetyLimiter {
   ///   answer is to stop, whatever was wanted; so it is when either is not
   ///   finite.
   /// @param[in] obstacles points in the robot's frame now, m.
+  /// @param[in] movers in the robot's frame now.
   LimitedCommand Limit(const Twist2D& command, const Twist2D& twist,
-                       const std::vector<Eigen::Vector2d>& obstacles) const;
+                       const std::vector<Eigen::Vector2d>& obstacles,
+                       const std::vector<MovingObstacle>& movers = {}) const;
 
   /// True when the robot, driving `command` for `hold` seconds and braking
   /// then, keeps clear.
   bool CanStop(const Twist2D& command, double hold,
                const std::vector<Eigen::Vector2d>& obstacles) const;
 
+  /// The same against things that move.
+  bool CanStopBefore(const Twist2D& command, double hold,
+                     const std::vector<MovingObstacle>& movers) const;
+
+  /// m from the robot beyond which nothing that stands limits a command of up
+  /// to `speed` (m/s) and 4 rad/s.
+  double Reach(double speed) const;
+
+  /// True for a command that passes both for the reaction time.
+  bool IsSafe(const Twist2D& command,
+              const std::vector<Eigen::Vector2d>& obstacles,
+              const std::vector<MovingObstacle>& movers) const;
+
  private:
+  bool IsReadyForTurn(const Twist2D& command, double hold,
+                      const MovingObstacle& mover) const;
   Twist2D ScaleDown(const Twist2D& command,
-                    const std::vector<Eigen::Vector2d>& obstacles) const;
+                    const std::vector<Eigen::Vector2d>& obstacles,
+                    const std::vector<MovingObstacle>& movers) const;
 
   SafetyLimiterParameters parameters_;
   Footprint footprint_;

@@ -15,6 +15,7 @@
 #include "vfh_astar/mapping/odometry_guard.h"
 #include "vfh_astar/mapping/slam.h"
 #include "vfh_astar/parameters.h"
+#include "vfh_astar/tracking/obstacle_tracker.h"
 
 namespace vfh_astar {
 
@@ -23,6 +24,7 @@ struct SlamMapperParameters {
   std::string localization = "slam";  ///< or odometry: poses are taken as
                                       ///< odometry gives them.
   int seed = 1;                       ///< of the particle filter.
+  TrackerParameters movers;           ///< what moves is left out of the map.
   SlamParameters slam;
   LocalizerParameters localizer;
   double lost_near_share = 0.35;     ///< of the hits, fewer of which lie on the
@@ -31,8 +33,9 @@ struct SlamMapperParameters {
                                      ///< when a pose is doubted.
 
   /// What Slam takes for granted suits logs that are thinned. A robot's scans
-  /// come dense, and each then adds its pull towards odometry: with a wheel that
-  /// is measured wrong by 3 % that bends a map, so here odometry counts little.
+  /// come dense, and each then adds its pull towards odometry: with a wheel
+  /// that is measured wrong by 3 % that bends a map, so here odometry counts
+  /// little.
   SlamMapperParameters() {
     slam.linear_update = 0.2;
     slam.motion.srr = 0.3;
@@ -87,7 +90,7 @@ class SlamMapper {
   /// what it sees into the map.
   void Locate(const LaserScan& scan, const Pose2D& base_from_laser,
               const Pose2D& odom_from_base);
-  MapChange Enter(const LaserScan& scan, const Pose2D& base_from_laser);
+  MapChange Enter();
 
   /// Where odometry's frame lies in the map; before the first scan as if
   /// odometry began at the start.
@@ -102,6 +105,7 @@ class SlamMapper {
     Pose2D base_from_laser;
   };
 
+  LaserScan WithoutMovers(const LaserScan& scan, const Pose2D& odom_from_laser);
   Pose2D Localize(const LaserScan& scan, const Pose2D& base_from_laser);
   void FollowInMap(const LaserScan& scan, const Pose2D& base_from_laser);
   bool IsDoubtful(const LaserScan& scan, const Pose2D& base_from_laser,
@@ -115,6 +119,7 @@ class SlamMapper {
 
   SlamMapperParameters parameters_;
   ScanMatcher matcher_;
+  ObstacleTracker tracker_;
   Pose2D start_;
   std::optional<OccupancyGrid> known_map_;
   GridMapper grid_;
@@ -126,6 +131,7 @@ class SlamMapper {
   std::unique_ptr<Localizer> localizer_;
   Pose2D localized_odometry_;  ///< guarded, when the localizer last looked,
   std::optional<double> localized_at_;  ///< s, and when that was.
+  KeptScan newest_;                     ///< without what moves.
   std::vector<KeptScan> kept_;          ///< one for each pose of slam_.
   int revision_ = 0;  ///< of slam_ that the map was made from.
   Pose2D pose_;       ///< of the base in the map, at the last scan.

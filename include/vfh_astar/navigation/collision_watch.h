@@ -22,6 +22,14 @@ double TimeToMapCollision(const Trajectory& trajectory, double from,
                           double horizon, const Footprint& footprint,
                           double margin, const Observation& observation);
 
+/// The same against what moves, each on its straight way, kept clear of by
+/// `margin` (m) and by `growth` (m/s) more with the time ahead.
+/// @param[in] rate at which the trajectory is driven, of its own time.
+double TimeToMoverCollision(const Trajectory& trajectory, double from,
+                            double horizon, double rate,
+                            const Footprint& footprint, double margin,
+                            double growth, const Observation& observation);
+
 }  // namespace vfh_astar
 
 #endif  // VFH_ASTAR_NAVIGATION_COLLISION_WATCH_H_

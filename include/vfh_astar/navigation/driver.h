@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "vfh_astar/control/evasion.h"
 #include "vfh_astar/control/safety_limiter.h"
 #include "vfh_astar/control/vfh.h"
 #include "vfh_astar/geometry.h"
@@ -40,8 +41,15 @@ class Driver {
   /// regardless (lag 0), it waits where the robot is nearest.
   Twist2D Avoid(const Observation& observation, double duration);
 
-  /// Begins anew with VFH.
-  void ResetAvoidance() { vfh_.Reset(); }
+  /// Finds a way between what moves, towards the reference, which waits
+  /// likewise.
+  Twist2D Evade(const Observation& observation, double duration);
+
+  /// Begins anew with avoiding.
+  void ResetAvoidance() {
+    vfh_.Reset();
+    evasion_.Reset();
+  }
 
   /// What VFH saw when it was last asked.
   const VfhResult& avoidance() const { return avoidance_; }
@@ -59,11 +67,17 @@ class Driver {
 
  private:
   double ReferenceRate(double lag) const;
-  double TargetDirection(const Observation& observation) const;
+  /// Within the limits on speed and acceleration.
+  Twist2D Shape(const Twist2D& wanted, double duration) const;
+  void LetReferenceWait(const Observation& observation, double duration);
+  /// The point of the trajectory that is `distance` m away from the robot, in
+  /// its frame.
+  Eigen::Vector2d Target(const Observation& observation, double distance) const;
 
   const NavigatorParameters& parameters_;
   TrajectoryFollower follower_;
   Vfh vfh_;
+  Evasion evasion_;
   SafetyLimiter limiter_;
   VfhResult avoidance_;
   Twist2D previous_;

@@ -12,6 +12,7 @@
 #include "vfh_astar/navigation/observation.h"
 #include "vfh_astar/navigation/state_machine.h"
 #include "vfh_astar/outcome.h"
+#include "vfh_astar/tracking/moving_obstacle.h"
 #include "vfh_astar/trajectory/trajectory.h"
 
 namespace vfh_astar {
@@ -36,6 +37,7 @@ struct NavigatorStatus {
                                        ///< behind (-pi); empty unless AVOIDING.
   std::vector<bool> vfh_blocked;       ///< as many.
   double vfh_direction = 0.0;          ///< rad, robot frame, chosen.
+  std::vector<MovingObstacle> movers;  ///< map frame.
 };
 
 struct GoalResult {

@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include "vfh_astar/control/evasion.h"
 #include "vfh_astar/control/safety_limiter.h"
 #include "vfh_astar/control/tracking_law.h"
 #include "vfh_astar/control/vfh.h"
 #include "vfh_astar/footprint.h"
 #include "vfh_astar/parameters.h"
 #include "vfh_astar/robot_limits.h"
+#include "vfh_astar/tracking/obstacle_tracker.h"
 
 namespace vfh_astar {
 
@@ -83,6 +85,8 @@ struct NavigatorParameters {
   double actuation_delay = 0.05;  ///< s from a command until the robot obeys.
   TrackingParameters tracking;
   VfhParameters vfh;
+  TrackerParameters movers;
+  EvasionParameters evasion;
   SafetyLimiterParameters safety;
   GoalParameters goal;
   ReplanParameters replan;

@@ -11,6 +11,7 @@
 #include "vfh_astar/laser_scan.h"
 #include "vfh_astar/navigation/navigator_parameters.h"
 #include "vfh_astar/outcome.h"
+#include "vfh_astar/tracking/obstacle_tracker.h"
 
 namespace vfh_astar {
 
@@ -45,15 +46,27 @@ struct Observation {
   Pose2D pose;                 ///< map frame, predicted to `time`; (0, 0, 0)
                                ///< while odometry or transform are missing.
   Twist2D twist;               ///< measured.
-  std::vector<Eigen::Vector2d> obstacles;  ///< hits of the scan in the robot's
-                                           ///< frame at `time`, m.
-  const ClearanceMap* map = nullptr;       ///< may be null.
+  std::vector<Eigen::Vector2d> obstacles;   ///< hits of the scan in the robot's
+                                            ///< frame at `time`, m, without
+  std::vector<Eigen::Vector2d> mover_hits;  ///< those on what moves.
+  std::vector<MovingObstacle> movers;       ///< in the same frame, at `time`.
+  const ClearanceMap* map = nullptr;        ///< may be null.
 };
 
 /// Predicts the pose to the cycle's time with the measured twist, moves the
 /// scan's hits to where they lie now, and says what is missing or too old.
+/// @param[in] tracker has been given all scans up to the input's by
+///   TrackObstacles; null: nothing moves.
 Observation Observe(const NavigatorInput& input,
-                    const NavigatorParameters& parameters);
+                    const NavigatorParameters& parameters,
+                    const ObstacleTracker* tracker = nullptr);
+
+/// Gives the tracker the input's scan, placed by odometry; without one of the
+/// two nothing happens.
+void TrackObstacles(const NavigatorInput& input, ObstacleTracker& tracker);
+
+/// All hits of an observation.
+std::vector<Eigen::Vector2d> AllHits(const Observation& observation);
 
 /// m from the footprint to the nearest obstacle, negative inside; +inf when
 /// there is none.

@@ -40,12 +40,17 @@ class TrajectoryWatch {
   /// True while an obstacle is too close for tracking.
   bool avoiding() const { return avoiding_since_.has_value(); }
 
+  /// True while something that moves is among what is being avoided.
+  bool avoiding_movers() const { return avoiding() && has_mover_ahead_; }
+
   /// True once the robot has been at the trajectory's end.
   bool at_end() const { return arrival_.latched(); }
 
  private:
   std::optional<Notice> WatchObstacles(const Observation& observation,
                                        double time_to_collision);
+  bool IsMoverAhead(const Observation& observation,
+                    const TrajectoryFollower& follower) const;
   std::optional<Notice> WatchBlockage(bool avoiding, double time,
                                       double time_to_collision);
   std::optional<Notice> WatchEnd(double time,
@@ -60,6 +65,8 @@ class TrajectoryWatch {
   std::optional<double> blocked_since_;
   std::optional<double> ended_since_;
   std::optional<double> avoiding_since_;
+  bool has_mover_ahead_ = false;
+  double mover_seen_ahead_ = 0.0;  ///< s, when there was one last.
 };
 
 }  // namespace vfh_astar

@@ -105,7 +105,7 @@ double LeastDistance(const Twist2D& command, const Points& points,
   const double braking =
       std::max(std::abs(command.v) / parameters.deceleration,
                std::abs(command.w) / parameters.angular_deceleration);
-  constexpr double kStep = 0.001;
+  constexpr double kStep = 0.004;
   Pose2D pose;
   double least = 1e9;
   for (double time = 0.0; time < parameters.reaction_time + braking;
@@ -133,7 +133,8 @@ TEST(SafetyLimiterTest, WhatItPassesOnCanAlwaysStop) {
   const Footprint footprint;
   const SafetyLimiter limiter(parameters, footprint);
   int limited = 0;
-  for (int run = 0; run < 2000; ++run) {
+  constexpr int kRuns = 100000;
+  for (int run = 0; run < kRuns; ++run) {
     Points points;
     while (points.size() < 12) {
       const Eigen::Vector2d point(place(random), place(random));
@@ -152,8 +153,92 @@ TEST(SafetyLimiterTest, WhatItPassesOnCanAlwaysStop) {
               std::min(before, parameters.margin) - 0.01)
         << "run " << run;
   }
-  EXPECT_GT(limited, 200);
-  EXPECT_LT(limited, 1900);
+  EXPECT_GT(limited, kRuns / 10);
+  EXPECT_LT(limited, kRuns - kRuns / 20);
+}
+
+/// The same for a disc on a straight way: the least distance while the robot is
+/// still moving faster than `slow` (m/s).
+double LeastDistanceWhileMoving(const Twist2D& command,
+                                const MovingObstacle& mover, double slow,
+                                const SafetyLimiterParameters& parameters) {
+  const Footprint footprint;
+  const double braking =
+      std::max(std::abs(command.v) / parameters.deceleration,
+               std::abs(command.w) / parameters.angular_deceleration);
+  constexpr double kStep = 0.004;
+  Pose2D pose;
+  double least = 1e9;
+  for (double time = 0.0; time < parameters.reaction_time + braking;
+       time += kStep) {
+    const double speed =
+        braking == 0.0
+            ? 0.0
+            : std::clamp(1.0 - (time - parameters.reaction_time) / braking, 0.0,
+                         1.0);
+    pose = Integrate(pose, {speed * command.v, speed * command.w}, kStep);
+    if (std::abs(speed * command.v) < slow) continue;
+    least = std::min(least, footprint.SignedDistance(pose.Inverse() *
+                                                     mover.At(time + kStep)) -
+                                mover.radius);
+  }
+  return least;
+}
+
+TEST(SafetyLimiterTest, IsSlowWhenAMoverReachesIt) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> place(-2.5, 2.5);
+  std::uniform_real_distribution<double> way(-1.5, 1.5);
+  std::uniform_real_distribution<double> speed(-1.0, 2.0);
+  std::uniform_real_distribution<double> turn(-4.0, 4.0);
+  const SafetyLimiterParameters parameters = Parameters();
+  const Footprint footprint;
+  const SafetyLimiter limiter(parameters, footprint);
+  int limited = 0;
+  constexpr int kRuns = 100000;
+  for (int run = 0; run < kRuns; ++run) {
+    MovingObstacle mover;
+    do {
+      mover.position = {place(random), place(random)};
+      mover.radius = 0.4;
+    } while (footprint.SignedDistance(mover.position) < mover.radius);
+    mover.velocity = {way(random), way(random)};
+    const LimitedCommand result =
+        limiter.Limit({speed(random), turn(random)}, {}, {}, {mover});
+    limited += result.limited ? 1 : 0;
+    // Between two looks robot and mover come nearer by 2 cm at most.
+    EXPECT_GT(LeastDistanceWhileMoving(result.command, mover, 0.1, parameters),
+              -0.025)
+        << "run " << run;
+  }
+  EXPECT_GT(limited, kRuns / 20);
+}
+
+TEST(SafetyLimiterTest, WaitsForACrossingMoverByHand) {
+  SafetyLimiterParameters parameters = Parameters();
+  parameters.swerve = 0.0;
+  const SafetyLimiter limiter(parameters, Footprint());
+  // 1 m/s: 0.1 m and 1 / (2 * 2) m in 0.6 s. The disc, 1 m ahead and 1.1 m to
+  // the right, is then 0.5 m to the right and beside the way; at twice the
+  // speed it lies across it.
+  const double ahead = Footprint().front + 0.45;
+  EXPECT_TRUE(limiter.CanStopBefore({1.0, 0.0}, 0.1,
+                                    {{{ahead, -1.31}, {0.0, 1.0}, 0.3}}));
+  EXPECT_FALSE(limiter.CanStopBefore({1.0, 0.0}, 0.1,
+                                     {{{ahead, -1.31}, {0.0, 2.0}, 0.3}}));
+  // The same one coming from ahead: 0.35 m of its own and 0.6 m of the mover's.
+  const double reach = Footprint().front + 0.3 + 0.35 + 0.6;
+  EXPECT_TRUE(limiter.CanStopBefore({1.0, 0.0}, 0.1,
+                                    {{{reach + 0.01, 0.0}, {-1.0, 0.0}, 0.3}}));
+  EXPECT_FALSE(limiter.CanStopBefore(
+      {1.0, 0.0}, 0.1, {{{reach - 0.03, 0.0}, {-1.0, 0.0}, 0.3}}));
+}
+
+TEST(SafetyLimiterTest, LetsTheRobotFleeFromAMover) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const MovingObstacle behind{{-1.0, 0.0}, {1.0, 0.0}, 0.5};
+  EXPECT_FALSE(limiter.Limit({1.5, 0.0}, {0.0, 0.0}, {}, {behind}).limited);
+  EXPECT_TRUE(limiter.Limit({-0.5, 0.0}, {0.0, 0.0}, {}, {behind}).limited);
 }
 
 }  // namespace

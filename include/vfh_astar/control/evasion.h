@@ -1,0 +1,102 @@
+#ifndef VFH_ASTAR_CONTROL_EVASION_H_
+#define VFH_ASTAR_CONTROL_EVASION_H_
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "vfh_astar/footprint.h"
+#include "vfh_astar/geometry.h"
+#include "vfh_astar/parameters.h"
+#include "vfh_astar/robot_limits.h"
+#include "vfh_astar/tracking/moving_obstacle.h"
+
+namespace vfh_astar {
+
+struct EvasionParameters {
+  double horizon = 3.0;       ///< s that are looked ahead.
+  double margin = 0.15;       ///< m to keep from what moves, and
+  double growth = 0.1;        ///< m/s by which that grows with the time ahead.
+  double lead = 0.7;          ///< s of its way that count as its body, so that
+                              ///< the robot passes behind rather than before.
+  double comfort = 1.0;       ///< m from which on more room is no better.
+  double room_weight = 3.0;   ///< cost of a metre less than that, in m of way.
+  double contact_cost = 3.0;  ///< m of way that a contact at the horizon costs,
+  double haste_cost = 8.0;    ///< and how much more one that is near.
+  double change_weight = 0.3;   ///< m for a choice a radian off the last one.
+  double reverse_weight = 0.5;  ///< m for a metre in reverse.
+
+  void Read(ParameterReader& reader);
+};
+
+/// What the robot has to find its way through, in its own frame now.
+struct EvasionScene {
+  Twist2D twist;           ///< as commanded last.
+  Eigen::Vector2d target;  ///< m, where it wants to go.
+  std::vector<MovingObstacle> movers;
+  /// m from a point to the nearest thing that stands; null: nothing does.
+  std::function<double(const Eigen::Vector2d&)> room;
+  /// True for a command that will be let through; null: all are.
+  std::function<bool(const Twist2D&)> is_allowed;
+};
+
+struct EvasionResult {
+  Twist2D command;
+  double contact_time = 0.0;  ///< s until what moves is nearer than the margin;
+                              ///< +inf when that is beyond the horizon.
+  double direction = 0.0;     ///< rad, robot frame, chosen.
+};
+
+/// Finds a way between things that move, as velocity obstacles do (Fiorini and
+/// Shiller 1998), but over motions that the robot can make: from its present
+/// speed it turns to a heading and drives on at some speed, forwards or
+/// backwards, or waits. Each motion is played through against the obstacles'
+/// straight ways; the one with the least cost is begun,
+/// of those whose first command will be let through if there is one.
+class Evasion {
+ public:
+  Evasion(const EvasionParameters& parameters, const Footprint& footprint,
+          const RobotLimits& limits);
+
+  EvasionResult Update(const EvasionScene& scene);
+
+  /// Forgets the last choice.
+  void Reset() { last_heading_.reset(); }
+
+ private:
+  struct Motion {
+    double speed;    ///< m/s, negative in reverse.
+    double heading;  ///< rad, robot frame now.
+  };
+  struct Outlook {
+    double contact_time;
+    double gap;        ///< m, least, less what it must be at its time.
+    double way;        ///< m nearer to the target.
+    double free_time;  ///< s until something that stands is in the way.
+  };
+
+  std::vector<Motion> Motions(const EvasionScene& scene) const;
+  Twist2D Steer(const Motion& motion, double heading) const;
+  Outlook Play(const Motion& motion, const EvasionScene& scene) const;
+  /// True when Gap is certainly more than `gap`.
+  bool IsBeyond(const MovingObstacle& mover, const Eigen::Vector2d& place,
+                double time, double gap) const;
+  /// m between robot and obstacle, less what its way is uncertain by.
+  double Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
+             double time) const;
+  /// The twist as what moves nearby will allow it.
+  Twist2D Slowed(const Twist2D& twist, const Pose2D& pose, double time,
+                 const EvasionScene& scene) const;
+  double Cost(const Motion& motion, const Outlook& outlook) const;
+
+  EvasionParameters parameters_;
+  Footprint footprint_;
+  RobotLimits limits_;
+  std::optional<double> last_heading_;
+  std::vector<double> margins_;  ///< m, of each of the scene's movers.
+};
+
+}  // namespace vfh_astar
+
+#endif  // VFH_ASTAR_CONTROL_EVASION_H_

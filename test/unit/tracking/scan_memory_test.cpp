@@ -1,0 +1,40 @@
+#include "vfh_astar/tracking/scan_memory.h"
+
+#include <gtest/gtest.h>
+
+namespace vfh_astar {
+namespace {
+
+LaserScan Scan(double stamp, float range) {
+  LaserScan scan;
+  scan.stamp = stamp;
+  scan.angle_min = -1.0;
+  scan.angle_increment = 0.1;
+  scan.range_min = 0.1;
+  scan.range_max = 10.0;
+  scan.ranges.assign(21, range);
+  return scan;
+}
+
+TEST(PlacedScanTest, SeesThroughWhatAllBeamsAroundPass) {
+  PlacedScan placed{Scan(0.0, 3.0F), Pose2D(1.0, 0.0, 0.0)};
+  EXPECT_TRUE(placed.SawThrough({3.8, 0.0}, 0.1));    // 2.8 m away
+  EXPECT_FALSE(placed.SawThrough({3.95, 0.0}, 0.1));  // less than 0.1 m before
+  EXPECT_FALSE(placed.SawThrough({5.0, 0.0}, 0.1));   // hidden
+  EXPECT_FALSE(placed.SawThrough({-1.0, 0.0}, 0.1));  // out of its view
+  placed.scan.ranges[11] = 1.0F;                      // the beam beside
+  EXPECT_FALSE(placed.SawThrough({3.8, 0.0}, 0.1));
+}
+
+TEST(ScanMemoryTest, RemembersForItsLength) {
+  ScanMemory memory(0.8);
+  for (int i = 0; i < 20; ++i) memory.Add(Scan(0.05 * i, 5.0F), {});
+  EXPECT_TRUE(memory.WasFree({4.0, 0.0}, 0.1));
+  for (int i = 20; i < 60; ++i) memory.Add(Scan(0.05 * i, 3.0F), {});
+  EXPECT_FALSE(memory.WasFree({4.0, 0.0}, 0.1));
+  memory.Clear();
+  EXPECT_FALSE(memory.WasFree({2.0, 0.0}, 0.1));
+}
+
+}  // namespace
+}  // namespace vfh_astar
