@@ -59,7 +59,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
         ReadParameters<GridMapperNodeletParameters>(getPrivateNodeHandle());
     LoadMapFile();
     Advertise();
-    Begin(parameters_.initial_pose);
+    Begin();
     // From here on callbacks come, in another thread than this one.
     Serve();
     Listen();
@@ -138,11 +138,14 @@ class GridMapperNodelet : public nodelet::Nodelet {
   }
 
   /// The map as it is before the first scan.
-  void Begin(const Pose2D& start) {
-    mapper_ = std::make_unique<SlamMapper>(parameters_.mapper, start);
+  void Begin() {
+    mapper_ = std::make_unique<SlamMapper>(parameters_.mapper,
+                                           parameters_.initial_pose);
     if (known_map_) mapper_->SetMap(*known_map_);
     has_pose_ = false;
     stamp_ = ros::Time();
+    // Time may begin anew, and the stamps with it.
+    transform_stamp_ = ros::Time();
     PublishMap();
   }
 
@@ -151,7 +154,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
               const ros::Time& stamp) {
     if (stamp + ros::Duration(1.0) < stamp_) {
       NODELET_WARN("time went back: the map begins anew");
-      Begin(parameters_.initial_pose);
+      Begin();
     }
     const Pose2D odom_from_base = OdomFromBase(stamp);
     const bool was_lost = mapper_->localization().is_lost;
@@ -174,7 +177,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
 
   /// Once for each event.
   void Log(bool was_lost, int jumps) {
-    const vfh_astar::Localization& state = mapper_->localization();
+    const Localization& state = mapper_->localization();
     if (state.is_lost && !was_lost) {
       NODELET_ERROR(
           "localisation lost: of %d hits on the map %.0f %% lie on its walls "
@@ -209,7 +212,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
   void PublishLocalization(const ros::Time& stamp) {
     PublishTransform(stamp);
     const auto message = boost::make_shared<LocalizationState>();
-    const vfh_astar::Localization& state = mapper_->localization();
+    const Localization& state = mapper_->localization();
     message->header.stamp = stamp;
     message->header.frame_id = parameters_.frames.map_frame;
     message->map_from_odom = ToTransformMessage(mapper_->map_from_odom());

@@ -14,8 +14,9 @@ from driver import goal_drive
 from driver.observer import Observer, yaw_of
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import Odometry
+from tf2_msgs.msg import TFMessage
 from vfh_astar.msg import LocalizationState
-from vfh_astar.srv import SaveMap, SetPose
+from vfh_astar.srv import Reset, SaveMap, SetPose
 
 _START = (1.5, 4.5, 0.0)  # of worlds/u_shape.yaml
 _GOAL = (12.5, 4.5, 0.0)
@@ -106,6 +107,18 @@ class MappingTest(navigation_test_case.NavigationTestCase):
             self.drive_to(_START)
             self.assert_knows_its_place(0.1)
             self.assertFalse(self.belief.state.lost)
+            self.reset_and_wait_for_transform()
+
+    def reset_and_wait_for_transform(self):
+        """Time begins anew, and tf with it."""
+        before = rospy.get_time()
+        stamps = []
+        rospy.Subscriber("/tf", TFMessage, lambda message: stamps.extend(
+            t.header.stamp.to_sec() for t in message.transforms
+            if t.header.frame_id == "map"))
+        rospy.ServiceProxy("reset", Reset)(0)
+        self.wait_simulated(
+            lambda: any(stamp < before / 2.0 for stamp in stamps), 20.0)
 
     def observer_pose(self):
         self.wait_simulated(lambda: self.observer.last_pose is not None, 20.0)
