@@ -106,7 +106,7 @@ void SlamMapper::Locate(const LaserScan& scan, const Pose2D& base_from_laser,
     localized_odometry_ = guarded_odometry_;
     has_begun_ = true;
   }
-  pose_ = Localize(newest_.scan, base_from_laser);
+  pose_ = Localize();
   map_from_guarded_ = pose_ * guarded_odometry_.Inverse();
   map_from_odom_ = pose_ * odom_from_base.Inverse();
 }
@@ -114,8 +114,8 @@ void SlamMapper::Locate(const LaserScan& scan, const Pose2D& base_from_laser,
 MapChange SlamMapper::Enter() {
   if (IsToRebuild()) return Rebuild();
   if (localization_.is_lost) return {};
-  if (IsDoubtful(newest_.scan, newest_.base_from_laser, pose_)) {
-    Doubt(newest_.scan.stamp, pose_);
+  if (IsDoubtful()) {
+    Doubt();
     return {};
   }
   doubts_ = 0;
@@ -131,24 +131,24 @@ LaserScan SlamMapper::WithoutMovers(const LaserScan& scan,
 }
 
 /// The base's pose in the map.
-Pose2D SlamMapper::Localize(const LaserScan& scan,
-                            const Pose2D& base_from_laser) {
+Pose2D SlamMapper::Localize() {
   if (slam_) {
     // The robot may have moved since.
     if (kept_.empty()) BeginSlam();
-    if (slam_->AddScan(scan, base_from_laser, guarded_odometry_)) {
-      kept_.push_back({scan, base_from_laser});
+    if (slam_->AddScan(newest_.scan, newest_.base_from_laser,
+                       guarded_odometry_)) {
+      kept_.push_back(newest_);
     }
     return slam_->PoseAt(guarded_odometry_);
   }
   if (!localizer_) return map_from_guarded_ * guarded_odometry_;
-  FollowInMap(scan, base_from_laser);
+  FollowInMap();
   return localizer_->pose() *
          (localized_odometry_.Inverse() * guarded_odometry_);
 }
 
-void SlamMapper::FollowInMap(const LaserScan& scan,
-                             const Pose2D& base_from_laser) {
+void SlamMapper::FollowInMap() {
+  const auto& [scan, base_from_laser] = newest_;
   const Pose2D motion = localized_odometry_.Inverse() * guarded_odometry_;
   if (localization_.is_lost) {
     if (localized_at_ && scan.stamp - *localized_at_ < kSearchPeriod) return;
@@ -168,26 +168,27 @@ void SlamMapper::FollowInMap(const LaserScan& scan,
   localized_at_ = scan.stamp;
 }
 
-/// True when the scan contradicts the map at this pose.
-bool SlamMapper::IsDoubtful(const LaserScan& scan,
-                            const Pose2D& base_from_laser, const Pose2D& pose) {
+/// True when the newest scan contradicts the map.
+bool SlamMapper::IsDoubtful() {
   if (!slam_ && !localizer_) return false;
+  const auto& [scan, base_from_laser] = newest_;
   const MapAgreement agreement =
       CompareWithMap(grid_.grid(), matcher_.Shape(scan, base_from_laser).probes,
-                     base_from_laser.position(), pose, ReachOf(grid_.grid()));
+                     base_from_laser.position(), pose_, ReachOf(grid_.grid()));
   localization_.agreement = agreement;
   return agreement.known >= kFewestKnown &&
          agreement.near_share() < parameters_.lost_near_share &&
          agreement.pierced_share() > parameters_.lost_pierced_share;
 }
 
-void SlamMapper::Doubt(double stamp, const Pose2D& pose) {
+void SlamMapper::Doubt() {
+  const double stamp = newest_.scan.stamp;
   if (doubts_ == 0) doubted_since_ = stamp;
   ++doubts_;
   if (doubts_ < kFewestDoubts || stamp - doubted_since_ < kPatience) return;
   localization_.is_lost = true;
   // What the last scans were matched with may hold them at wrong places.
-  LocalizeFrom(pose);
+  LocalizeFrom(pose_);
 }
 
 void SlamMapper::Trust() {

@@ -106,11 +106,10 @@ class SlamMapper {
   };
 
   LaserScan WithoutMovers(const LaserScan& scan, const Pose2D& odom_from_laser);
-  Pose2D Localize(const LaserScan& scan, const Pose2D& base_from_laser);
-  void FollowInMap(const LaserScan& scan, const Pose2D& base_from_laser);
-  bool IsDoubtful(const LaserScan& scan, const Pose2D& base_from_laser,
-                  const Pose2D& pose);
-  void Doubt(double stamp, const Pose2D& pose);
+  Pose2D Localize();
+  void FollowInMap();
+  bool IsDoubtful();
+  void Doubt();
   void Trust();
   void BeginSlam();
   void LocalizeFrom(const Pose2D& pose);
