@@ -45,8 +45,10 @@ def drive_stack(name, options):
         signal.signal(number, _end_on_signal)
     stack = STACKS[name]
     x, y, yaw = options.start
-    arguments = {"stack": name, "world": options.world, "x": x, "y": y,
-                 "yaw": yaw, "seed": options.seed, "config": options.config}
+    arguments = dict(stack.launch_arguments, world=options.world, x=x, y=y,
+                     yaw=yaw, seed=options.seed)
+    if name == "vfh_astar":
+        arguments["config"] = options.config
     launch_file = os.path.join(scene.ROOT, "launch", "compare.launch")
     log = os.path.join(options.report, name + ".log")
     try:

@@ -33,12 +33,14 @@ class LaunchFilesTest(unittest.TestCase):
     def test_compare_starts_one_stack(self):
         file = os.path.join(ROOT, "launch", "compare.launch")
         scene = ["world:=w", "x:=1", "y:=2", "yaw:=3"]
+        jackal = os.path.join(ROOT, "config", "jackal.yaml")
+        clearpath = os.path.join(ROOT, "config", "move_base", "clearpath.yaml")
         navigation = {"grid_mapper", "path_planner", "trajectory_fitter",
                       "navigator"}
-        own = node_names(file, scene + ["stack:=vfh_astar"])
+        own = node_names(file, scene + ["stack:=vfh_astar", "config:=" + jackal])
         self.assertLessEqual(navigation | {"simulator"}, own)
         self.assertNotIn("move_base", own)
-        other = node_names(file, scene + ["stack:=move_base"])
+        other = node_names(file, scene + ["stack:=move_base", "config:=" + clearpath])
         self.assertLessEqual({"move_base", "slam_gmapping", "simulator"}, other)
         self.assertFalse(navigation & other)
 
