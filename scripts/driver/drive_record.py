@@ -15,9 +15,10 @@ class GridMap:
     resolution: float  # m
     origin: Tuple[float, float]  # m
     cells: np.ndarray
+    pose: Tuple[float, float, float] = (0.0, 0.0, 0.0)  # in the world; m, m, rad
 
     def extent(self):
-        """left, right, bottom, top in m."""
+        """left, right, bottom, top in m, in the map's own frame."""
         rows, columns = self.cells.shape
         left, bottom = self.origin
         return (left, left + columns * self.resolution,

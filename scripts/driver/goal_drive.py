@@ -84,14 +84,15 @@ class GoalClient:
               "no action server on " + self._action)
 
     def send(self, goal):
-        """goal: x, y (m), yaw (rad) in the frame map."""
+        """goal: x, y (m), yaw (rad) in the world."""
+        x, y, yaw = self._observer.in_map(goal)
         message = MoveBaseGoal()
         message.target_pose.header.frame_id = "map"
         message.target_pose.header.stamp = rospy.Time.now()
-        message.target_pose.pose.position.x = goal[0]
-        message.target_pose.pose.position.y = goal[1]
+        message.target_pose.pose.position.x = x
+        message.target_pose.pose.position.y = y
         message.target_pose.pose.orientation = Quaternion(
-            0.0, 0.0, math.sin(goal[2] / 2.0), math.cos(goal[2] / 2.0))
+            0.0, 0.0, math.sin(yaw / 2.0), math.cos(yaw / 2.0))
         self.send_message(message)
 
     def send_message(self, message):
@@ -141,7 +142,7 @@ class _ClockWatch:
 
 @dataclass
 class DriveTask:
-    """What one robot is to do; poses are x, y (m), yaw (rad) in the frame map.
+    """What one robot is to do; poses are x, y (m), yaw (rad) in the world.
     """
 
     observer: Observer

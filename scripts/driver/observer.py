@@ -57,6 +57,13 @@ class Observer:
         """The name with the robot's namespace before it."""
         return ns_join(self._namespace, name)
 
+    def in_map(self, pose):
+        """The stack's map's x, y (m), yaw (rad) of a pose in the world."""
+        x, y, yaw = self._map_pose
+        dx, dy = pose[0] - x, pose[1] - y
+        cosine, sine = math.cos(yaw), math.sin(yaw)
+        return (cosine * dx + sine * dy, cosine * dy - sine * dx, pose[2] - yaw)
+
     def _subscribe(self, topic, message_type, callback, queue_size):
         rospy.Subscriber(self.topic(topic), message_type, callback,
                          queue_size=queue_size)
@@ -80,7 +87,7 @@ class Observer:
             self._map = GridMap(
                 info.resolution,
                 (info.origin.position.x, info.origin.position.y),
-                cells.reshape(info.height, info.width))
+                cells.reshape(info.height, info.width), self._map_pose)
 
     def _on_map_update(self, update):
         values = np.array(update.data, dtype=np.int8)

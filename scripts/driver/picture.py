@@ -9,6 +9,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib.transforms import Affine2D  # noqa: E402
 
 COLORS = ("tab:red", "tab:purple", "tab:green", "tab:brown")  # in turn
 _MARGIN = 1.5  # m around everything that was driven or planned
@@ -81,9 +82,12 @@ def _draw_outlines(axes, record, color):
 
 def draw_map(axes, record):
     if record.map is not None:
+        x, y, yaw = record.map.pose
         axes.imshow(_shades(record.map.cells), origin="lower", cmap="gray",
                     vmin=0.0, vmax=1.0, extent=record.map.extent(),
-                    interpolation="nearest")
+                    interpolation="nearest",
+                    transform=(Affine2D().rotate(yaw).translate(x, y)
+                               + axes.transData))
     draw_ends(axes, record)
     axes.set_aspect("equal")
     axes.set_xlabel("x [m]")
