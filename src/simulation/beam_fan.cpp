@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace vfh_astar {
@@ -12,6 +13,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kHuge = std::numeric_limits<double>::max();
 
 constexpr int kBlock = 8;  ///< beams
 
@@ -165,15 +167,17 @@ void BeamFan::LookAtDisc(const Vector2d& center, double radius) {
 }
 
 void BeamFan::DrawDisc(const Vector2d& center, double radius, Span span) {
-  for (int beam = span.first; beam <= span.last; ++beam) {
-    const double aside = center.x() * y_[beam] - center.y() * x_[beam];
-    const double half_chord_squared = radius * radius - aside * aside;
-    const double along = center.x() * x_[beam] + center.y() * y_[beam];
-    if (half_chord_squared < 0.0 || along < 0.0) continue;
-    ranges_[beam] =
-        std::min(ranges_[beam], along - std::sqrt(half_chord_squared));
-  }
-  NoteDrawn(span);
+  ForEachBlock(span, [&](const auto& x, const auto& y, auto* ranges) {
+    using Beams = std::decay_t<decltype(x)>;
+    const Beams aside = center.x() * y - center.y() * x;
+    const Beams along = center.x() * x + center.y() * y;
+    const Beams half_chord_squared = radius * radius - aside * aside;
+    // Infinite for a beam that misses, else 0. Arithmetic instead of branches,
+    // which would be guessed wrong at both sides of each disc.
+    const Beams missed =
+        half_chord_squared.min(along).min(0.0) * -kHuge * kHuge;
+    *ranges = ranges->min(along - half_chord_squared.max(0.0).sqrt() + missed);
+  });
 }
 
 void BeamFan::LookAtPolygon(const Vector2d* vertices, std::size_t count) {
@@ -220,7 +224,7 @@ void BeamFan::DrawEdge(const Vector2d& from, const Vector2d& to, double nearest,
     range = range < nearest ? nearest : range;
     ranges_[beam] = range < ranges_[beam] ? range : ranges_[beam];
   }
-  NoteDrawn(span);
+  ForEachBlock(span, [](const auto&, const auto&, auto*) {});
 }
 
 void BeamFan::CoverAll() {
@@ -228,20 +232,28 @@ void BeamFan::CoverAll() {
   std::fill(reach_squared_.begin(), reach_squared_.end(), 0.0);
 }
 
-void BeamFan::NoteDrawn(const Span& span) {
-  for (int block = span.first / kBlock; block <= span.last / kBlock; ++block) {
-    const double* const ranges = &ranges_[block * kBlock];
-    double farthest = 0.0;
-    if (static_cast<std::size_t>((block + 1) * kBlock) <= ranges_.size()) {
-      // Of a size that the compiler knows.
-      farthest =
-          Eigen::Map<const Eigen::Array<double, kBlock, 1>>(ranges).maxCoeff();
-    } else {
-      farthest = *std::max_element<const double*>(
-          ranges, ranges_.data() + ranges_.size());
-    }
+template <typename Draw>
+void BeamFan::ForEachBlock(const Span& span, const Draw& draw) {
+  const auto visit = [&](int block, auto size) {
+    using Beams = Eigen::Array<double, decltype(size)::value, 1, 0, kBlock, 1>;
+    const int first = block * kBlock;
+    const int count = std::min<int>(kBlock, ranges_.size() - first);
+    Eigen::Map<Beams> at(&ranges_[first], count);
+    Beams ranges = at;
+    draw(Beams(Eigen::Map<const Beams>(&x_[first], count)),
+         Beams(Eigen::Map<const Beams>(&y_[first], count)), &ranges);
+    at = ranges;
+    const double farthest = ranges.maxCoeff();
     reach_squared_[block] = std::min(range_squared_, farthest * farthest);
+  };
+  // Of a size that the compiler knows, but for what is left at the end.
+  const int whole = static_cast<int>(ranges_.size()) / kBlock;
+  const int last = span.last / kBlock;
+  for (int block = span.first / kBlock; block <= std::min(last, whole - 1);
+       ++block) {
+    visit(block, std::integral_constant<int, kBlock>());
   }
+  if (last == whole) visit(last, std::integral_constant<int, Eigen::Dynamic>());
 }
 
 }  // namespace vfh_astar

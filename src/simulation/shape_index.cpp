@@ -8,7 +8,7 @@
 namespace vfh_astar {
 namespace {
 
-constexpr std::size_t kMostTargets = 4;  ///< in a box that is not divided.
+constexpr std::size_t kMostTargets = 8;  ///< in a box that is not divided.
 
 /// Boxes are divided into halves of the same number of shapes, so that no
 /// world that fits into memory is deeper.

@@ -58,7 +58,11 @@ class BeamFan {
   void DrawEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                 double nearest, Span span);
   void CoverAll();
-  void NoteDrawn(const Span& span);
+
+  /// Calls draw(x, y, ranges) for each block that has beams of the span, with
+  /// the arrays of all the beams in it, and notes how far they reach then.
+  template <typename Draw>
+  void ForEachBlock(const Span& span, const Draw& draw);
 
   /// Calls draw(span) for each run of beams between two angles (rad from the
   /// first beam, `low` above -2 pi).
