@@ -48,7 +48,10 @@ ShapeIndex::ShapeIndex(std::vector<Shape> shapes) : shapes_(std::move(shapes)) {
   std::iota(order.begin(), order.end(), 0);
   nodes_.resize(1);
   Divide(0, &order, 0, order.size(), boxes);
-  for (const std::int32_t shape : order) AddTarget(shape);
+  for (const std::int32_t shape : order) {
+    AddTarget(shape);
+    boxes_.push_back(boxes[shape]);
+  }
 }
 
 void ShapeIndex::Divide(std::size_t node, std::vector<std::int32_t>* order,
@@ -132,7 +135,9 @@ std::vector<int> ShapeIndex::Near(const Eigen::Vector2d& point,
       continue;
     }
     for (std::int32_t i = 0; i < node.target_count; ++i) {
-      near.push_back(targets_[node.first + i].shape);
+      const std::int32_t target = node.first + i;
+      if (boxes_[target].DistanceSquared(point) > radius * radius) continue;
+      near.push_back(targets_[target].shape);
     }
   }
   std::sort(near.begin(), near.end());

@@ -62,6 +62,7 @@ class ShapeIndex {
   std::vector<Shape> shapes_;
   std::vector<Node> nodes_;  ///< the root first; none without shapes.
   std::vector<Target> targets_;
+  std::vector<Box> boxes_;  ///< around each target; rays do not ask for them.
   std::vector<Eigen::Vector2d> vertices_;
 };
 
