@@ -1,12 +1,19 @@
 #include "vfh_astar/mapping/cell_marks.h"
 
 #include <algorithm>
+#include <cstring>
+
+// GCC picks between versions of a function when the program starts.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define VFH_ASTAR_HAS_AVX2_VERSION
+#endif
 
 namespace vfh_astar {
 namespace {
 
 constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
 constexpr int kFraction = RowCrossings::kFraction;
+constexpr int kLanes = 4;  ///< rows marked at once.
 
 /// True when the line's last crossing, and so every one, is right without
 /// RowCrossings::ColumnAt's bound.
@@ -15,10 +22,9 @@ bool IsWithinBound(const RowCrossings& line) {
   return last >> kFraction == line.ColumnAt(last);
 }
 
-/// Rows from `y` to the last one of its blocks, both included.
-int RowsToBlockEnd(int y, int step) {
-  constexpr int kRows = CellMarks::kBlockHeight;
-  return step > 0 ? kRows - y % kRows : y % kRows + 1;
+/// Rows from `y` up to the end of its blocks.
+int RowsToBlockEnd(int y) {
+  return CellMarks::kBlockHeight - y % CellMarks::kBlockHeight;
 }
 
 /// Marks columns in order, both included, of a row whose word in the first
@@ -40,21 +46,58 @@ inline void MarkOrderedRun(std::uint64_t* word, std::size_t rows, unsigned low,
   word[rows] |= to_high;
 }
 
-/// Marks the columns of crossings from `x` on in both rows of each, in a strip
-/// whose word in the first row is given.
-inline void MarkStepsOfStrip(std::int64_t x, const RowCrossings& line,
-                             int count, std::uint64_t* word) {
-  const std::ptrdiff_t step = line.step;
-  const std::int64_t next = line.next;
-#pragma GCC unroll 4
-  for (int i = 0; i < count; ++i) {
-    const std::uint64_t bit = std::uint64_t{1} << (x >> kFraction & 63);
-    word[0] |= bit;
-    word[step] |= bit;
-    word += step;
-    x += next;
+constexpr std::uint64_t kLastColumn = CellMarks::kBlockWidth - 1;
+
+/// Marks in each row of a strip the columns from one crossing to the next, both
+/// included.
+/// @param[in,out] words of the strip from the first row on; of kLanes - 1 rows
+///   beyond the last the words may be written as they were.
+/// @param[in] low, high of the first row's crossings that with the lower
+///   column, and the other.
+/// @param[in] slope how much more both are from row to row.
+#ifdef VFH_ASTAR_HAS_AVX2_VERSION
+__attribute__((target("default")))
+#endif
+void MarkRowsOfStrip(std::uint64_t* words, std::uint64_t low,
+                     std::uint64_t high, std::uint64_t slope, int rows) {
+  for (int i = 0; i < rows; ++i) {
+    // Beyond the last column there is none: 2 is shifted out, and the
+    // difference still holds all bits from the lowest on.
+    words[i] |= (std::uint64_t{2} << (high >> kFraction & kLastColumn)) -
+                (std::uint64_t{1} << (low >> kFraction & kLastColumn));
+    low += slope;
+    high += slope;
   }
 }
+
+#ifdef VFH_ASTAR_HAS_AVX2_VERSION
+using Lanes [[gnu::vector_size(8 * kLanes)]] = std::uint64_t;
+
+/// The same in several rows at once: AVX2 can shift each by its own amount.
+__attribute__((target("avx2"))) void MarkRowsOfStrip(std::uint64_t* words,
+                                                     std::uint64_t low,
+                                                     std::uint64_t high,
+                                                     std::uint64_t slope,
+                                                     int rows) {
+  const Lanes more = {0, slope, 2 * slope, 3 * slope};
+  Lanes lows = low + more;
+  Lanes highs = high + more;
+  Lanes word;
+  for (int left = rows; left > 0; left -= kLanes, words += kLanes) {
+    Lanes columns = (Lanes{2, 2, 2, 2} << (highs >> kFraction & kLastColumn)) -
+                    (Lanes{1, 1, 1, 1} << (lows >> kFraction & kLastColumn));
+    if (left < kLanes) {
+      columns &=
+          Lanes{kAllBits, left > 1 ? kAllBits : 0, left > 2 ? kAllBits : 0, 0};
+    }
+    std::memcpy(&word, words, sizeof(word));
+    word |= columns;
+    std::memcpy(words, &word, sizeof(word));
+    lows += kLanes * slope;
+    highs += kLanes * slope;
+  }
+}
+#endif
 
 }  // namespace
 
@@ -62,7 +105,7 @@ void CellMarks::Reset(int columns, int rows) {
   block_columns_ = columns;
   block_rows_ = rows;
   rows_ = static_cast<std::size_t>(rows) * kBlockHeight;
-  words_.assign(columns * rows_, 0);
+  words_.assign(columns * rows_ + kLanes - 1, 0);
   open_before_.resize(static_cast<std::size_t>(columns + 1) * rows);
   CloseBlocks([](int, int) { return false; });
 }
@@ -71,58 +114,64 @@ void CellMarks::MarkRun(int y, int first, int last) {
   MarkOrderedRun(At(0, y), rows_, std::min(first, last), std::max(first, last));
 }
 
-void CellMarks::MarkSteps(const RowCrossings& line) {
-  std::int64_t x = line.x;
-  int y = line.y;
-  for (int left = line.count; left > 0;) {
-    const int count = std::min(left, RowsToBlockEnd(y, line.step));
-    const std::int64_t last = x + (count - 1) * line.next;
-    const unsigned first_strip = StripAt(x);
-    const unsigned last_strip = StripAt(last);
-    std::uint64_t* word = At(first_strip, y);
-    y += count * line.step;
-    left -= count;
-    if (IsClosed(y - line.step, std::min(first_strip, last_strip),
-                 std::max(first_strip, last_strip))) {
-      // The column is crossed into a row that may be open.
-      *At(last_strip, y) |= Bit(last >> kFraction);
-    } else if (first_strip == last_strip) {
-      MarkStepsOfStrip(x, line, count, word);
-    } else {
-      std::uint64_t* row = word - first_strip * rows_;
-      for (int i = 0; i < count; ++i) {
-        std::uint64_t* const crossed = row + StripAt(x) * rows_;
-        crossed[0] |= Bit(x >> kFraction);
-        crossed[line.step] |= Bit(x >> kFraction);
-        row += line.step;
-        x += line.next;
-      }
-    }
-    x = last + line.next;
+void CellMarks::MarkRows(int y, std::int64_t x, std::int64_t slope, int rows) {
+  constexpr std::int64_t kStrip = std::int64_t{kBlockWidth} << kFraction;
+  while (rows > 0) {
+    const unsigned strip = StripAt(x);
+    const std::int64_t inside = x % kStrip;
+    const std::int64_t fitting =
+        slope < 0 ? inside / -slope
+                  : (slope > 0 ? (kStrip - 1 - inside) / slope : rows);
+    const int count = static_cast<int>(std::min<std::int64_t>(rows, fitting));
+    MarkRowsOfStrip(At(strip, y), std::min(x, x + slope),
+                    std::max(x, x + slope), slope, count);
+    y += count;
+    x += count * slope;
+    rows -= count;
+    if (rows == 0) return;
+    // The row in which the line changes strips.
+    MarkRun(y, x >> kFraction, (x + slope) >> kFraction);
+    ++y;
+    x += slope;
+    --rows;
   }
 }
 
-void CellMarks::MarkRuns(const RowCrossings& line) {
-  std::int64_t low = std::min(line.x, line.x + line.next);
-  std::int64_t high = std::max(line.x, line.x + line.next);
-  int y = line.y + line.step;
-  const std::size_t rows = rows_;
-  const std::int64_t next = line.next;
-  const int step = line.step;
-  for (int left = line.count - 1; left > 0;) {
-    const int count = std::min(left, RowsToBlockEnd(y, step));
-    const std::int64_t way = (count - 1) * next;
-    const bool is_closed = IsClosed(y, StripAt(std::min(low, low + way)),
-                                    StripAt(std::max(high, high + way)));
-    std::uint64_t* word = At(0, y);
-    for (int i = is_closed ? count : 0; i < count; ++i) {
-      MarkOrderedRun(word + i * step, rows, (low + i * next) >> kFraction,
-                     (high + i * next) >> kFraction);
+int CellMarks::OpenRowsOfStrip(int y, std::int64_t x, std::int64_t slope,
+                               int rows) const {
+  const unsigned strip = StripAt(x);
+  int count = std::min(rows, RowsToBlockEnd(y));
+  while (count < rows) {
+    const int more = std::min(rows - count, kBlockHeight);
+    if (StripAt(x + (count + more) * slope) != strip) break;
+    if (IsClosed(y + count, strip, strip)) break;
+    count += more;
+  }
+  return count;
+}
+
+void CellMarks::MarkBetween(const RowCrossings& line) {
+  int rows = line.count - 1;
+  const bool is_upward = line.step > 0;
+  int y = is_upward ? line.y + 1 : line.y - rows;
+  std::int64_t x = is_upward ? line.x : line.x + rows * line.next;
+  const std::int64_t slope = line.step * line.next;
+  while (rows > 0) {
+    int count = std::min(rows, RowsToBlockEnd(y));
+    const std::int64_t end = x + count * slope;
+    const unsigned first = StripAt(std::min(x, end));
+    const unsigned last = StripAt(std::max(x, end));
+    const bool is_closed = IsClosed(y, first, last);
+    if (!is_closed && first == last) {
+      count = OpenRowsOfStrip(y, x, slope, rows);
+      MarkRowsOfStrip(At(first, y), std::min(x, x + slope),
+                      std::max(x, x + slope), slope, count);
+    } else if (!is_closed) {
+      MarkRows(y, x, slope, count);
     }
-    y += count * step;
-    low += count * next;
-    high += count * next;
-    left -= count;
+    y += count;
+    x += count * slope;
+    rows -= count;
   }
 }
 
@@ -137,11 +186,7 @@ void CellMarks::MarkLine(const Eigen::Vector2d& from,
     return;
   }
   MarkRun(line.y, line.column, line.x >> kFraction);
-  if (std::abs(line.next) <= std::int64_t{1} << kFraction) {
-    MarkSteps(line);
-  } else {
-    MarkRuns(line);
-  }
+  MarkBetween(line);
   const std::int64_t last = line.x + (line.count - 1) * line.next;
   MarkRun(line.y + line.count * line.step, last >> kFraction, line.last_column);
 }

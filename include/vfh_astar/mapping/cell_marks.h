@@ -73,15 +73,20 @@ class CellMarks {
 
   /// Marks columns of a row, both included, in either order.
   void MarkRun(int y, int first, int last);
-  /// What is between a line's first row and its last: of a line that passes one
-  /// column within a row at most,
-  void MarkSteps(const RowCrossings& line);
-  /// and of one that passes more.
-  void MarkRuns(const RowCrossings& line);
+  /// What is between a line's first row and its last.
+  void MarkBetween(const RowCrossings& line);
+  /// Marks rows from `y` up of a line that crosses the lowest one's lower edge
+  /// at `x` and goes on by `slope` per row, both as in RowCrossings.
+  void MarkRows(int y, std::int64_t x, std::int64_t slope, int rows);
+  /// Of these rows those that can be marked at once: whole blocks of them, as
+  /// long as the line stays in its strip, which is open.
+  int OpenRowsOfStrip(int y, std::int64_t x, std::int64_t slope,
+                      int rows) const;
 
   int block_columns_ = 0;
   int block_rows_ = 0;
   std::size_t rows_ = 0;  ///< of cells.
+  /// Some more than the cells need, so that rows can be marked several at once.
   std::vector<std::uint64_t> words_;
   /// Open blocks in the same row of blocks before each, and in all of the row.
   std::vector<int> open_before_;
