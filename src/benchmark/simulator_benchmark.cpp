@@ -13,7 +13,6 @@
 namespace vfh_astar {
 namespace {
 
-constexpr double kFieldSize = 50.0;       // m
 constexpr double kCylinderRadius = 0.15;  // m
 // What every robot does: it drives in a circle of 0.5 m radius.
 constexpr Twist2D kCircle{0.5, 1.0};
@@ -25,13 +24,13 @@ double WallTime() {
 }
 
 /// Robots in rows, as far from each other as the field allows.
-std::vector<RobotStart> StartsInRows(int robots) {
+std::vector<RobotStart> StartsInRows(int robots, double field) {
   const int columns = static_cast<int>(std::ceil(std::sqrt(robots)));
-  const double spacing = kFieldSize / columns;
+  const double spacing = field / columns;
   std::vector<RobotStart> starts;
   for (int i = 0; i < robots; ++i) {
-    const double x = (i % columns + 0.5) * spacing - 0.5 * kFieldSize;
-    const double y = (i / columns + 0.5) * spacing - 0.5 * kFieldSize;
+    const double x = (i % columns + 0.5) * spacing - 0.5 * field;
+    const double y = (i / columns + 0.5) * spacing - 0.5 * field;
     starts.push_back({"robot_" + std::to_string(i + 1), Pose2D(x, y, 0.0)});
   }
   return starts;
@@ -48,18 +47,18 @@ bool HasRoom(const std::vector<RobotStart>& robots,
   return true;
 }
 
-World FieldWithCylinders(int robots, int cylinders) {
+World FieldWithCylinders(const SimulatorBenchmarkOptions& options) {
   World world;
   world.name = "field";
-  world.robots = StartsInRows(robots);
-  const double half = 0.5 * kFieldSize;
+  world.robots = StartsInRows(options.robots, options.field);
+  const double half = 0.5 * options.field;
   world.obstacles.push_back(
       {"fence",
        MakeWall({{-half, -half}, {half, -half}, {half, half}, {-half, half}},
                 0.1, true)});
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-half, half);
-  for (int i = 0; i < cylinders;) {
+  for (int i = 0; i < options.cylinders;) {
     const double x = coordinate(random);
     const double y = coordinate(random);
     if (!HasRoom(world.robots, {x, y})) continue;
@@ -71,9 +70,8 @@ World FieldWithCylinders(int robots, int cylinders) {
 }
 
 World WorldOf(const SimulatorBenchmarkOptions& options) {
-  World world = options.world
-                    ? LoadWorld(*options.world)
-                    : FieldWithCylinders(options.robots, options.cylinders);
+  World world =
+      options.world ? LoadWorld(*options.world) : FieldWithCylinders(options);
   if (world.robots.size() != static_cast<std::size_t>(options.robots)) {
     throw std::invalid_argument(
         "the world has " + std::to_string(world.robots.size()) +

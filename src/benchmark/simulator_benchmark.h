@@ -9,12 +9,13 @@
 namespace vfh_astar {
 
 struct SimulatorBenchmarkOptions {
-  /// A world file; none: a square of 50 m with `cylinders` in it, fenced.
+  /// A world file; none: a square `field` with `cylinders` in it, fenced.
   std::optional<std::string> world;
   /// Of the first robot; none: the world's.
   std::optional<Pose2D> start;
   int robots = 1;
-  int cylinders = 50;  ///< of radius 0.15 m, where no world is given.
+  int cylinders = 50;   ///< of radius 0.15 m, where no world is given.
+  double field = 50.0;  ///< m, the length of its sides.
   int beams = 1080;
   double scan_rate = 40.0;  ///< Hz
   double seconds = 20.0;    ///< of simulated time.

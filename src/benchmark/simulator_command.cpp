@@ -20,6 +20,8 @@ po::options_description Options() {
       "of simulated time");
   add("cylinders", po::value<int>()->default_value(defaults.cylinders),
       "in the field where no world is given");
+  add("field", po::value<double>()->default_value(defaults.field),
+      "m, the length of that field's sides");
   add("world", po::value<std::string>(), "world or map file");
   add("start", po::value<std::string>(), "X,Y,YAW of the first robot");
   return options;
@@ -32,6 +34,7 @@ SimulatorBenchmarkOptions Read(const po::variables_map& given) {
   options.scan_rate = NumberOption(given, "scan-rate", 0.1, 500.0);
   options.seconds = NumberOption(given, "seconds", 0.1, 1e5);
   options.cylinders = NumberOption(given, "cylinders", 0, 100000);
+  options.field = NumberOption(given, "field", 10.0, 10000.0);
   if (given.count("world") != 0) {
     options.world = given["world"].as<std::string>();
   }
