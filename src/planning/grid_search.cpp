@@ -109,10 +109,10 @@ __attribute__((always_inline)) inline void GridSearch::Look(
   }
 }
 
-inline void GridSearch::Expand(const Open& open, const CostMap& costs,
+inline void GridSearch::Expand(const Open& open, std::size_t index,
+                               const CostMap& costs,
                                const PassageCheck& passages) {
   if (open.cost > kFarthest) return;
-  const std::size_t index = costs.Index({open.x, open.y});
   const CostMap::Level* const levels = costs.levels().data() + index;
   Node* const nodes = nodes_.get() + index;
   const Expansion from = {{open.x, open.y},
@@ -154,13 +154,14 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   SearchResult result;
   while (!open_.empty() && open_.LeastKey() < goal_cost_) {
     const Open open = open_.Pop();
-    if (CostOf(nodes_[costs.Index({open.x, open.y})]) != open.cost) continue;
+    const std::size_t index = costs.Index({open.x, open.y});
+    if (CostOf(nodes_[index]) != open.cost) continue;
     if ((result.nodes_expanded & kPollMask) == 0 && cancelled && *cancelled) {
       result.status = SearchStatus::kCancelled;
       return result;
     }
     ++result.nodes_expanded;
-    Expand(open, costs, passages);
+    Expand(open, index, costs, passages);
   }
   if (goal_cost_ == kUnreached) return result;
   result.status = SearchStatus::kFound;

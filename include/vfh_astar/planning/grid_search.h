@@ -80,7 +80,8 @@ class GridSearch {
   };
 
   void Prepare(const CostMap& costs);
-  void Expand(const Open& open, const CostMap& costs,
+  /// @param[in] index of its cell in the cost map.
+  void Expand(const Open& open, std::size_t index, const CostMap& costs,
               const PassageCheck& passages);
   template <int kDirection>
   void Look(const Expansion& from);

@@ -52,7 +52,7 @@ class PassageCheck {
 
   Footprint footprint_;
   float circumscribed_radius_;
-  Pose2D
+  PointTransform
       to_robot_;  ///< from the map's frame to that of the robot at the start.
   const ClearanceMap& clearance_;
   /// By heading, over a cell's centre, the farthest cells first.

@@ -1,31 +1,34 @@
 #ifndef VFH_ASTAR_PLANNING_UNIFORM_SEARCH_H_
 #define VFH_ASTAR_PLANNING_UNIFORM_SEARCH_H_
 
-#include "vfh_astar/planning/canonical_search.h"
+#include "vfh_astar/planning/block_search.h"
 #include "vfh_astar/planning/jump_point_search.h"
 
 namespace vfh_astar {
 
 /// Shortest paths over cells that are blocked or free, by the search that is
 /// likely to be the quicker one between start and goal: JumpPointSearch in the
-/// open and between walls, CanonicalSearch among scattered obstacles. Both find
+/// open and between walls, BlockSearch among scattered obstacles. Both find
 /// the same length.
 class UniformSearch {
  public:
   /// A map of free cells.
   UniformSearch(int width, int height)
-      : jumping_(width, height), stepping_(width, height) {}
+      : jumping_(width, height), by_block_(width, height) {}
 
   void SetBlocked(const Cell& cell, bool is_blocked) {
     jumping_.SetBlocked(cell, is_blocked);
-    stepping_.SetBlocked(cell, is_blocked);
+    by_block_.SetBlocked(cell, is_blocked);
   }
   bool IsBlocked(const Cell& cell) const { return jumping_.IsBlocked(cell); }
 
   /// @param[in] start, goal free cells of the map.
   JumpPointResult Run(const Cell& start, const Cell& goal) {
-    return IsScattered(start, goal) ? stepping_.Run(start, goal)
-                                    : jumping_.Run(start, goal);
+    if (IsScattered(start, goal)) {
+      const JumpPointResult result = by_block_.Run(start, goal);
+      if (by_block_.is_decided()) return result;
+    }
+    return jumping_.Run(start, goal);
   }
 
   /// True when single blocked cells are many on the straight line.
@@ -35,7 +38,7 @@ class UniformSearch {
   bool StandsAlone(const Cell& cell) const;
 
   JumpPointSearch jumping_;
-  CanonicalSearch stepping_;
+  BlockSearch by_block_;
 };
 
 }  // namespace vfh_astar

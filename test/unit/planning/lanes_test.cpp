@@ -1,0 +1,42 @@
+#include "vfh_astar/planning/lanes.h"
+
+#include <gtest/gtest.h>
+
+namespace vfh_astar {
+namespace {
+
+TEST(Lanes, ShiftBringsInZeros) {
+  const Lanes lanes = {1, 2, 3, 4, 5, 6, 7, 8};
+  for (int i = 0; i < kLanes; ++i) {
+    EXPECT_EQ(ShiftedUp(lanes)[i], i == 0 ? 0 : i);
+    EXPECT_EQ(ShiftedDown(lanes)[i], i == kLanes - 1 ? 0 : i + 2);
+  }
+}
+
+TEST(Lanes, TransposeTurnsRowsIntoColumns) {
+  LaneSquare square;
+  for (int y = 0; y < kLanes; ++y) {
+    for (int x = 0; x < kLanes; ++x) {
+      square[y][x] = static_cast<std::int16_t>(10 * y + x);
+    }
+  }
+  const LaneSquare turned = Transposed(square);
+  for (int y = 0; y < kLanes; ++y) {
+    for (int x = 0; x < kLanes; ++x) EXPECT_EQ(turned[y][x], 10 * x + y);
+  }
+}
+
+TEST(Lanes, AnyLaneCounts) {
+  EXPECT_FALSE(AnySet(AllLanes(0)));
+  for (int i = 0; i < kLanes; ++i) {
+    Lanes lanes = AllLanes(0);
+    lanes[i] = 1;
+    EXPECT_TRUE(AnySet(lanes));
+    lanes = AllLanes(-20000);
+    lanes[i] = -5;
+    EXPECT_EQ(GreatestLane(lanes), -5);
+  }
+}
+
+}  // namespace
+}  // namespace vfh_astar
