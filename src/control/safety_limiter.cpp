@@ -15,17 +15,55 @@ constexpr double kMostSteps = 1e4;
 /// m by which a point within the margin may come nearer through rounding.
 constexpr double kTolerance = 1e-4;
 
-constexpr double kFastestTurn = 4.0;  ///< rad/s, of any command.
-constexpr double kMoverStep = 0.05;   ///< s between two checks at most.
-constexpr double kSlowest = 0.1;      ///< m/s, so that a step is finite.
+constexpr double kMoverStep = 0.05;  ///< s between two checks at most.
+constexpr double kSlowest = 0.1;     ///< m/s, so that a step is finite.
 
 /// m/s below which driving on is not worth giving up a turn for.
 constexpr double kCreep = 0.02;
 
 struct Obstacle {
   Eigen::Vector2d point;
+  double distance;  ///< m from the footprint at the start.
   double required;  ///< m to keep from it.
 };
+
+/// A motion in steps.
+struct Sweep {
+  std::vector<PointTransform> robot_from_start;  ///< after each step.
+  double step = 0.0;  ///< m that no point of the footprint exceeds in one.
+};
+
+Sweep MakeSweep(const Twist2D& command, double duration, int steps,
+                double travel) {
+  Sweep sweep;
+  sweep.robot_from_start.reserve(steps);
+  for (int step = 1; step <= steps; ++step) {
+    const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
+    sweep.robot_from_start.emplace_back(pose.Inverse());
+  }
+  // Rounding must not let a step pass for shorter than it is.
+  sweep.step = (1.0 + 1e-9) * travel / steps;
+  return sweep;
+}
+
+bool KeepsClear(const Footprint& footprint, const Sweep& sweep,
+                const Obstacle& obstacle) {
+  const std::size_t steps = sweep.robot_from_start.size();
+  // What is further away than it must be needs no look until the steps between
+  // could have used that up.
+  const auto until_look = [&](double distance) {
+    const double spare = (distance - obstacle.required) / sweep.step;
+    return static_cast<std::size_t>(
+        std::clamp(spare, 1.0, static_cast<double>(steps + 1)));
+  };
+  for (std::size_t step = until_look(obstacle.distance); step <= steps;) {
+    const double distance = footprint.SignedDistance(
+        sweep.robot_from_start[step - 1] * obstacle.point);
+    if (distance < obstacle.required) return false;
+    step += until_look(distance);
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -55,30 +93,25 @@ bool SafetyLimiter::CanStop(
   const double circumscribed = footprint_.CircumscribedRadius();
   const double reach = std::abs(command.v) * duration + circumscribed +
                        parameters_.margin + kSweepStep;
+  const double travel =
+      (std::abs(command.v) + std::abs(command.w) * circumscribed) * duration;
   std::vector<Obstacle> near;
   for (const Eigen::Vector2d& point : obstacles) {
     if (point.squaredNorm() > reach * reach) continue;
     const double distance = footprint_.SignedDistance(point);
+    // No point of the footprint moves by more than the travel.
+    if (distance > travel + parameters_.margin) continue;
     near.push_back(
-        {point, std::min(parameters_.margin, distance) - kTolerance});
+        {point, distance, std::min(parameters_.margin, distance) - kTolerance});
   }
-  if (near.empty()) return true;
-
-  const double travel =
-      (std::abs(command.v) + std::abs(command.w) * circumscribed) * duration;
   const double least_steps = std::ceil(travel / kSweepStep);
+  if (near.empty() || least_steps == 0.0) return true;
   if (!(least_steps <= kMostSteps)) return false;
-  const int steps = static_cast<int>(least_steps);
-  for (int step = 1; step <= steps; ++step) {
-    const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
-    const PointTransform robot_from_start(pose.Inverse());
-    for (const Obstacle& obstacle : near) {
-      const double distance =
-          footprint_.SignedDistance(robot_from_start * obstacle.point);
-      if (distance < obstacle.required) return false;
-    }
-  }
-  return true;
+  const Sweep sweep =
+      MakeSweep(command, duration, static_cast<int>(least_steps), travel);
+  return std::all_of(near.begin(), near.end(), [&](const Obstacle& obstacle) {
+    return KeepsClear(footprint_, sweep, obstacle);
+  });
 }
 
 bool SafetyLimiter::CanStopBefore(
@@ -131,12 +164,11 @@ bool SafetyLimiter::IsReadyForTurn(const Twist2D& command, double hold,
          mover.radius + parameters_.surprise * mover.velocity.norm() * duration;
 }
 
-double SafetyLimiter::Reach(double speed) const {
+double SafetyLimiter::Reach(const Twist2D& fastest) const {
   // Turning, too, can take long to brake.
-  const double braking =
-      std::max(speed / parameters_.deceleration,
-               kFastestTurn / parameters_.angular_deceleration);
-  return speed * (parameters_.reaction_time + 0.5 * braking) +
+  const double braking = std::max(fastest.v / parameters_.deceleration,
+                                  fastest.w / parameters_.angular_deceleration);
+  return fastest.v * (parameters_.reaction_time + 0.5 * braking) +
          footprint_.CircumscribedRadius() + parameters_.margin + kSweepStep;
 }
 

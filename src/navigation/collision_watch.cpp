@@ -9,46 +9,84 @@
 
 namespace vfh_astar {
 
+namespace {
+
+constexpr double kScanStep = 0.05;  ///< s between two looks at the scan.
+
+/// A trajectory at the times at which it is looked at.
+class Looks {
+ public:
+  Looks(const Trajectory& trajectory, double from, double end) {
+    for (double time = from; time <= end; time += kScanStep) {
+      looks_.push_back({time, trajectory.Sample(time).pose, {}});
+    }
+    for (std::size_t i = 1; i < looks_.size(); ++i) {
+      const Eigen::Vector2d way =
+          looks_[i].pose.position() - looks_[i - 1].pose.position();
+      longest_step_ = std::max(longest_step_, way.norm());
+    }
+  }
+
+  std::size_t size() const { return looks_.size(); }
+  double TimeOf(std::size_t look) const { return looks_[look].time; }
+
+  /// The first look at which the footprint holds the point, of those before
+  /// `end`; `end` when there is none.
+  std::size_t FirstHit(const Footprint& footprint, double reach,
+                       const Eigen::Vector2d& point, std::size_t end) {
+    for (std::size_t i = 0; i < end;) {
+      const double distance = (point - looks_[i].pose.position()).norm();
+      if (distance <= reach && footprint.Contains(RobotFromMap(i) * point)) {
+        return i;
+      }
+      // Nothing is in the way until the robot's centre has moved by the room
+      // there is.
+      const double steps = (distance - reach) / longest_step_;
+      i += steps > 1.0 ? static_cast<std::size_t>(
+                             std::min(steps, static_cast<double>(end)))
+                       : 1;
+    }
+    return end;
+  }
+
+ private:
+  struct Look {
+    double time;                                   ///< s
+    Pose2D pose;                                   ///< map frame
+    std::optional<PointTransform> robot_from_map;  ///< once it was needed.
+  };
+
+  const PointTransform& RobotFromMap(std::size_t i) {
+    std::optional<PointTransform>& transform = looks_[i].robot_from_map;
+    if (!transform) transform.emplace(looks_[i].pose.Inverse());
+    return *transform;
+  }
+
+  std::vector<Look> looks_;
+  double longest_step_ = 1e-9;  ///< m, not 0, for a trajectory that stands.
+};
+
+}  // namespace
+
 double TimeToScanCollision(const Trajectory& trajectory, double from,
                            double horizon, const Footprint& footprint,
                            double margin, const Observation& observation) {
-  constexpr double kStep = 0.05;
   const double end = std::min(from + horizon, trajectory.duration());
   const Footprint grown = footprint.Grown(margin);
   const double reach = grown.CircumscribedRadius();
   const double farthest =
       trajectory.Length(end) - trajectory.Length(from) + reach;
   // The robot may be off the trajectory, so distances count from its start.
-  const Pose2D start = trajectory.Sample(from).pose;
+  const Eigen::Vector2d start = trajectory.Sample(from).pose.position();
   const PointTransform map_from_robot(observation.pose);
-  std::vector<Eigen::Vector2d> near;
-  near.reserve(observation.obstacles.size());
+  Looks looks(trajectory, from, end);
+  std::size_t first = looks.size();
   for (const Eigen::Vector2d& point : observation.obstacles) {
     const Eigen::Vector2d in_map = map_from_robot * point;
-    if ((in_map - start.position()).squaredNorm() <= farthest * farthest) {
-      near.push_back(in_map);
-    }
+    if ((in_map - start).squaredNorm() > farthest * farthest) continue;
+    first = looks.FirstHit(grown, reach, in_map, first);
   }
-  if (near.empty()) return kNever;
-  // Around a place that has been looked at nothing is in the way until the
-  // robot's centre has moved by the room there was.
-  Eigen::Vector2d looked_at = start.position();
-  double room = 0.0;
-  for (double time = from; time <= end; time += kStep) {
-    const Pose2D pose = trajectory.Sample(time).pose;
-    if ((pose.position() - looked_at).norm() < room) continue;
-    const PointTransform robot_from_map(pose.Inverse());
-    double nearest = kNever;
-    for (const Eigen::Vector2d& point : near) {
-      const double distance = (point - pose.position()).squaredNorm();
-      nearest = std::min(nearest, distance);
-      if (distance > reach * reach) continue;
-      if (grown.Contains(robot_from_map * point)) return time - from;
-    }
-    looked_at = pose.position();
-    room = std::sqrt(nearest) - reach;
-  }
-  return kNever;
+  return first < looks.size() ? looks.TimeOf(first) - from : kNever;
 }
 
 double TimeToMapCollision(const Trajectory& trajectory, double from,
