@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "vfh_astar/control/command_shaping.h"
 
@@ -216,36 +217,61 @@ double Evasion::Cost(const Motion& motion, const Outlook& outlook) const {
   return cost;
 }
 
+std::vector<std::size_t> Evasion::MostPromisingFirst(
+    const std::vector<Motion>& motions, const EvasionScene& scene,
+    double horizon) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<double> least(motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Eigen::Vector2d end = horizon * motions[i].speed *
+                                Pose2D(0.0, 0.0, motions[i].heading).heading();
+    const double way = scene.target.norm() - (scene.target - end).norm();
+    least[i] = Cost(motions[i], {kNone, kNone, way, kNone});
+  }
+  std::vector<std::size_t> order(motions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(
+      order.begin(), order.end(),
+      [&](std::size_t a, std::size_t b) { return least[a] < least[b]; });
+  return order;
+}
+
 EvasionResult Evasion::Update(const EvasionScene& scene) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   struct Choice {
     double cost = kNone;
-    Motion motion{0.0, 0.0};
+    std::size_t motion = 0;
     double contact_time = kNone;
+
+    bool operator<(const Choice& other) const {
+      return cost < other.cost || (cost == other.cost && motion < other.motion);
+    }
   };
   const Forecast forecast = Foresee(scene);
+  const std::vector<Motion> motions = Motions(scene);
   Choice best;     // of all, as long as none is allowed,
   Choice allowed;  // and of those.
-  for (const Motion& motion : Motions(scene)) {
+  for (const std::size_t i :
+       MostPromisingFirst(motions, scene, forecast.times.back())) {
     // What costs more than an allowed one is out, however it ends.
     const std::optional<Outlook> outlook =
-        Play(motion, scene, forecast, allowed.cost);
+        Play(motions[i], scene, forecast, allowed.cost);
     if (!outlook) continue;
-    const Choice choice{Cost(motion, *outlook), motion, outlook->contact_time};
-    if (choice.cost < best.cost) best = choice;
-    if (choice.cost < allowed.cost &&
-        (!scene.is_allowed || scene.is_allowed(Steer(motion, 0.0)))) {
+    const Choice choice{Cost(motions[i], *outlook), i, outlook->contact_time};
+    if (choice < best) best = choice;
+    if (choice < allowed &&
+        (!scene.is_allowed || scene.is_allowed(Steer(motions[i], 0.0)))) {
       allowed = choice;
     }
   }
   if (allowed.cost < kNone) best = allowed;
-  last_heading_ = best.motion.heading;
+  const Motion& motion = motions[best.motion];
+  last_heading_ = motion.heading;
   EvasionResult result;
   result.contact_time = best.contact_time;
-  result.command = Steer(best.motion, 0.0);
-  result.direction = best.motion.speed < 0.0
-                         ? NormalizeAngle(best.motion.heading + kPi)
-                         : best.motion.heading;
+  result.command = Steer(motion, 0.0);
+  result.direction = motion.speed < 0.0 ? NormalizeAngle(motion.heading + kPi)
+                                        : motion.heading;
   return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 namespace vfh_astar {
 namespace {
@@ -28,37 +30,44 @@ struct Obstacle {
 };
 
 /// A motion in steps.
-struct Sweep {
-  std::vector<PointTransform> robot_from_start;  ///< after each step.
-  double step = 0.0;  ///< m that no point of the footprint exceeds in one.
+class Sweep {
+ public:
+  Sweep(const Twist2D& command, double duration, int steps)
+      : command_(command), duration_(duration), robot_from_start_(steps) {}
+
+  std::size_t size() const { return robot_from_start_.size(); }
+
+  /// @param[in] step from 1 to size().
+  const PointTransform& RobotFromStart(std::size_t step) {
+    std::optional<PointTransform>& transform = robot_from_start_[step - 1];
+    if (!transform) {
+      transform = PointTransform::Into(Integrate(
+          Pose2D(), command_,
+          duration_ * static_cast<double>(step) / static_cast<double>(size())));
+    }
+    return *transform;
+  }
+
+ private:
+  Twist2D command_;
+  double duration_;
+  std::vector<std::optional<PointTransform>> robot_from_start_;  ///< if needed.
 };
 
-Sweep MakeSweep(const Twist2D& command, double duration, int steps,
-                double travel) {
-  Sweep sweep;
-  sweep.robot_from_start.reserve(steps);
-  for (int step = 1; step <= steps; ++step) {
-    const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
-    sweep.robot_from_start.emplace_back(pose.Inverse());
-  }
-  // Rounding must not let a step pass for shorter than it is.
-  sweep.step = (1.0 + 1e-9) * travel / steps;
-  return sweep;
-}
-
-bool KeepsClear(const Footprint& footprint, const Sweep& sweep,
-                const Obstacle& obstacle) {
-  const std::size_t steps = sweep.robot_from_start.size();
+/// @param[in] stride m that no point of the footprint exceeds in a step.
+bool KeepsClear(const Footprint& footprint, const Obstacle& obstacle,
+                double stride, Sweep* sweep) {
   // What is further away than it must be needs no look until the steps between
   // could have used that up.
   const auto until_look = [&](double distance) {
-    const double spare = (distance - obstacle.required) / sweep.step;
+    const double spare = (distance - obstacle.required) / stride;
     return static_cast<std::size_t>(
-        std::clamp(spare, 1.0, static_cast<double>(steps + 1)));
+        std::clamp(spare, 1.0, static_cast<double>(sweep->size() + 1)));
   };
-  for (std::size_t step = until_look(obstacle.distance); step <= steps;) {
-    const double distance = footprint.SignedDistance(
-        sweep.robot_from_start[step - 1] * obstacle.point);
+  for (std::size_t step = until_look(obstacle.distance);
+       step <= sweep->size();) {
+    const double distance =
+        footprint.SignedDistance(sweep->RobotFromStart(step) * obstacle.point);
     if (distance < obstacle.required) return false;
     step += until_look(distance);
   }
@@ -107,10 +116,11 @@ bool SafetyLimiter::CanStop(
   const double least_steps = std::ceil(travel / kSweepStep);
   if (near.empty() || least_steps == 0.0) return true;
   if (!(least_steps <= kMostSteps)) return false;
-  const Sweep sweep =
-      MakeSweep(command, duration, static_cast<int>(least_steps), travel);
+  Sweep sweep(command, duration, static_cast<int>(least_steps));
+  // Rounding must not let a step pass for shorter than it is.
+  const double stride = (1.0 + 1e-9) * travel / least_steps;
   return std::all_of(near.begin(), near.end(), [&](const Obstacle& obstacle) {
-    return KeepsClear(footprint_, sweep, obstacle);
+    return KeepsClear(footprint_, obstacle, stride, &sweep);
   });
 }
 
@@ -142,7 +152,8 @@ bool SafetyLimiter::CanStopBefore(
       const double standing = footprint_.SignedDistance(centre) - radius;
       const Pose2D pose = Integrate(Pose2D(), command, driven);
       const double distance =
-          footprint_.SignedDistance(pose.Inverse() * centre) - radius;
+          footprint_.SignedDistance(PointTransform::Into(pose) * centre) -
+          radius;
       if (distance < std::min(parameters_.margin, standing) - kTolerance ||
           distance < -parameters_.swerve * speed * time) {
         return false;
@@ -159,7 +170,7 @@ bool SafetyLimiter::IsReadyForTurn(const Twist2D& command, double hold,
   const double duration = hold + braking;
   const Pose2D end = Integrate(Pose2D(), command, hold + 0.5 * braking);
   const double distance =
-      footprint_.SignedDistance(end.Inverse() * mover.position);
+      footprint_.SignedDistance(PointTransform::Into(end) * mover.position);
   return distance >
          mover.radius + parameters_.surprise * mover.velocity.norm() * duration;
 }

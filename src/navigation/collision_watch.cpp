@@ -16,14 +16,15 @@ constexpr double kScanStep = 0.05;  ///< s between two looks at the scan.
 /// A trajectory at the times at which it is looked at.
 class Looks {
  public:
-  Looks(const Trajectory& trajectory, double from, double end) {
+  /// @param[in] reach m from the robot's centre to the farthest point that may
+  ///   be in its way.
+  Looks(const Trajectory& trajectory, double from, double end, double reach)
+      : squared_reach_(reach * reach) {
     for (double time = from; time <= end; time += kScanStep) {
       looks_.push_back({time, trajectory.Sample(time).pose, {}});
     }
-    for (std::size_t i = 1; i < looks_.size(); ++i) {
-      const Eigen::Vector2d way =
-          looks_[i].pose.position() - looks_[i - 1].pose.position();
-      longest_step_ = std::max(longest_step_, way.norm());
+    for (std::size_t begin = 0; begin < size(); begin += kStretch) {
+      stretches_.push_back(StretchFrom(begin, reach));
     }
   }
 
@@ -32,38 +33,59 @@ class Looks {
 
   /// The first look at which the footprint holds the point, of those before
   /// `end`; `end` when there is none.
-  std::size_t FirstHit(const Footprint& footprint, double reach,
-                       const Eigen::Vector2d& point, std::size_t end) {
-    for (std::size_t i = 0; i < end;) {
-      const double distance = (point - looks_[i].pose.position()).norm();
-      if (distance <= reach && footprint.Contains(RobotFromMap(i) * point)) {
-        return i;
+  std::size_t FirstHit(const Footprint& footprint, const Eigen::Vector2d& point,
+                       std::size_t end) {
+    for (const Stretch& stretch : stretches_) {
+      if (stretch.begin >= end) break;
+      if ((point - stretch.centre).squaredNorm() > stretch.squared_radius) {
+        continue;
       }
-      // Nothing is in the way until the robot's centre has moved by the room
-      // there is.
-      const double steps = (distance - reach) / longest_step_;
-      i += steps > 1.0 ? static_cast<std::size_t>(
-                             std::min(steps, static_cast<double>(end)))
-                       : 1;
+      const std::size_t stop = std::min(stretch.end, end);
+      for (std::size_t i = stretch.begin; i < stop; ++i) {
+        const Eigen::Vector2d offset = point - looks_[i].pose.position();
+        if (offset.squaredNorm() > squared_reach_) continue;
+        if (footprint.Contains(RobotFromMap(i) * point)) return i;
+      }
     }
     return end;
   }
 
  private:
+  static constexpr std::size_t kStretch = 8;
+
   struct Look {
     double time;                                   ///< s
     Pose2D pose;                                   ///< map frame
     std::optional<PointTransform> robot_from_map;  ///< once it was needed.
   };
+  /// Looks in a row, and a circle around all that can be in their way.
+  struct Stretch {
+    std::size_t begin;
+    std::size_t end;
+    Eigen::Vector2d centre;
+    double squared_radius;
+  };
+
+  Stretch StretchFrom(std::size_t begin, double reach) const {
+    const std::size_t end = std::min(begin + kStretch, size());
+    const Eigen::Vector2d centre = looks_[(begin + end) / 2].pose.position();
+    double radius = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      radius = std::max(radius, (looks_[i].pose.position() - centre).norm());
+    }
+    radius += (1.0 + 1e-9) * reach;
+    return {begin, end, centre, radius * radius};
+  }
 
   const PointTransform& RobotFromMap(std::size_t i) {
     std::optional<PointTransform>& transform = looks_[i].robot_from_map;
-    if (!transform) transform.emplace(looks_[i].pose.Inverse());
+    if (!transform) transform = PointTransform::Into(looks_[i].pose);
     return *transform;
   }
 
+  double squared_reach_;
   std::vector<Look> looks_;
-  double longest_step_ = 1e-9;  ///< m, not 0, for a trajectory that stands.
+  std::vector<Stretch> stretches_;
 };
 
 }  // namespace
@@ -73,18 +95,11 @@ double TimeToScanCollision(const Trajectory& trajectory, double from,
                            double margin, const Observation& observation) {
   const double end = std::min(from + horizon, trajectory.duration());
   const Footprint grown = footprint.Grown(margin);
-  const double reach = grown.CircumscribedRadius();
-  const double farthest =
-      trajectory.Length(end) - trajectory.Length(from) + reach;
-  // The robot may be off the trajectory, so distances count from its start.
-  const Eigen::Vector2d start = trajectory.Sample(from).pose.position();
   const PointTransform map_from_robot(observation.pose);
-  Looks looks(trajectory, from, end);
+  Looks looks(trajectory, from, end, grown.CircumscribedRadius());
   std::size_t first = looks.size();
   for (const Eigen::Vector2d& point : observation.obstacles) {
-    const Eigen::Vector2d in_map = map_from_robot * point;
-    if ((in_map - start).squaredNorm() > farthest * farthest) continue;
-    first = looks.FirstHit(grown, reach, in_map, first);
+    first = looks.FirstHit(grown, map_from_robot * point, first);
   }
   return first < looks.size() ? looks.TimeOf(first) - from : kNever;
 }
@@ -111,8 +126,8 @@ double TimeToMoverCollision(const Trajectory& trajectory, double from,
     movers.push_back(Transform(observation.pose, mover));
   }
   for (double time = 0.0; time <= horizon; time += kStep) {
-    const Pose2D robot_from_map =
-        trajectory.Sample(from + rate * time).pose.Inverse();
+    const PointTransform robot_from_map =
+        PointTransform::Into(trajectory.Sample(from + rate * time).pose);
     for (const MovingObstacle& mover : movers) {
       const double distance =
           footprint.SignedDistance(robot_from_map * mover.At(time));

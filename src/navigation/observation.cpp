@@ -111,8 +111,14 @@ Observation Observe(const NavigatorInput& input,
 double FootprintClearance(const Footprint& footprint,
                           const std::vector<Eigen::Vector2d>& obstacles) {
   double clearance = std::numeric_limits<double>::infinity();
+  const double radius = footprint.CircumscribedRadius();
+  double matters = clearance;  // m^2 from the robot's centre.
   for (const Eigen::Vector2d& point : obstacles) {
-    clearance = std::min(clearance, footprint.SignedDistance(point));
+    if (point.squaredNorm() > matters) continue;
+    const double distance = footprint.SignedDistance(point);
+    if (distance >= clearance) continue;
+    clearance = distance;
+    matters = (clearance + radius) * (clearance + radius);
   }
   return clearance;
 }

@@ -116,6 +116,10 @@ class Evasion {
   Twist2D Slowed(const Twist2D& twist, const Pose2D& pose,
                  const Forecast& forecast, std::size_t step) const;
   double Cost(const Motion& motion, const Outlook& outlook) const;
+  /// The order in which a good motion is likely to be found soon.
+  std::vector<std::size_t> MostPromisingFirst(
+      const std::vector<Motion>& motions, const EvasionScene& scene,
+      double horizon) const;
 
   EvasionParameters parameters_;
   Footprint footprint_;
