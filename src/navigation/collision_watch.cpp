@@ -1,5 +1,6 @@
 #include "vfh_astar/navigation/collision_watch.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -25,6 +26,7 @@ class Looks {
     }
     for (std::size_t begin = 0; begin < size(); begin += kStretch) {
       stretches_.push_back(StretchFrom(begin, reach));
+      everything_.extend(stretches_.back().box);
     }
   }
 
@@ -35,11 +37,10 @@ class Looks {
   /// `end`; `end` when there is none.
   std::size_t FirstHit(const Footprint& footprint, const Eigen::Vector2d& point,
                        std::size_t end) {
+    if (!everything_.contains(point)) return end;
     for (const Stretch& stretch : stretches_) {
       if (stretch.begin >= end) break;
-      if ((point - stretch.centre).squaredNorm() > stretch.squared_radius) {
-        continue;
-      }
+      if (!stretch.box.contains(point)) continue;
       const std::size_t stop = std::min(stretch.end, end);
       for (std::size_t i = stretch.begin; i < stop; ++i) {
         const Eigen::Vector2d offset = point - looks_[i].pose.position();
@@ -58,23 +59,22 @@ class Looks {
     Pose2D pose;                                   ///< map frame
     std::optional<PointTransform> robot_from_map;  ///< once it was needed.
   };
-  /// Looks in a row, and a circle around all that can be in their way.
+  /// Looks in a row, and a box around all that can be in their way.
   struct Stretch {
     std::size_t begin;
     std::size_t end;
-    Eigen::Vector2d centre;
-    double squared_radius;
+    Eigen::AlignedBox2d box;  ///< map frame
   };
 
   Stretch StretchFrom(std::size_t begin, double reach) const {
     const std::size_t end = std::min(begin + kStretch, size());
-    const Eigen::Vector2d centre = looks_[(begin + end) / 2].pose.position();
-    double radius = 0.0;
+    Eigen::AlignedBox2d box;
     for (std::size_t i = begin; i < end; ++i) {
-      radius = std::max(radius, (looks_[i].pose.position() - centre).norm());
+      box.extend(looks_[i].pose.position());
     }
-    radius += (1.0 + 1e-9) * reach;
-    return {begin, end, centre, radius * radius};
+    // A little more, so that rounding leaves out nothing at the reach's end.
+    const Eigen::Vector2d grown = Eigen::Vector2d::Constant(reach + 1e-9);
+    return {begin, end, {box.min() - grown, box.max() + grown}};
   }
 
   const PointTransform& RobotFromMap(std::size_t i) {
@@ -86,6 +86,7 @@ class Looks {
   double squared_reach_;
   std::vector<Look> looks_;
   std::vector<Stretch> stretches_;
+  Eigen::AlignedBox2d everything_;  ///< empty without looks.
 };
 
 }  // namespace
