@@ -212,6 +212,56 @@ TEST(SafetyLimiterTest, IsSlowWhenAMoverReachesIt) {
   EXPECT_GT(limited, kRuns / 20);
 }
 
+/// CanStop, asked at every step of 2 cm of every point.
+bool CanStopAtEveryStep(const Twist2D& command, double hold,
+                        const Points& points,
+                        const SafetyLimiterParameters& parameters) {
+  const Footprint footprint;
+  const double braking =
+      std::max(std::abs(command.v) / parameters.deceleration,
+               std::abs(command.w) / parameters.angular_deceleration);
+  const double duration = hold + 0.5 * braking;
+  const double speed = std::abs(command.v) +
+                       std::abs(command.w) * footprint.CircumscribedRadius();
+  const int steps = static_cast<int>(std::ceil(speed * duration / 0.02));
+  for (int step = 1; step <= steps; ++step) {
+    const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
+    for (const Eigen::Vector2d& point : points) {
+      const double required =
+          std::min(parameters.margin, footprint.SignedDistance(point)) - 1e-4;
+      if (footprint.SignedDistance(pose.Inverse() * point) < required) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+TEST(SafetyLimiterTest, SkipsNoStepThatMatters) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-2.0, 2.0);
+  std::uniform_real_distribution<double> speed(-2.0, 2.0);
+  std::uniform_real_distribution<double> turn(-4.0, 4.0);
+  SafetyLimiterParameters parameters = Parameters();
+  parameters.margin = 0.05;
+  const SafetyLimiter limiter(parameters, Footprint());
+  int stoppable = 0;
+  constexpr int kRuns = 20000;
+  for (int run = 0; run < kRuns; ++run) {
+    Points points;
+    for (int i = 0; i < 4; ++i) {
+      points.emplace_back(place(random), place(random));
+    }
+    const Twist2D command{speed(random), turn(random)};
+    const bool can_stop = limiter.CanStop(command, 0.1, points);
+    ASSERT_EQ(can_stop, CanStopAtEveryStep(command, 0.1, points, parameters))
+        << "run " << run;
+    stoppable += can_stop ? 1 : 0;
+  }
+  EXPECT_GT(stoppable, kRuns / 10);
+  EXPECT_LT(stoppable, kRuns - kRuns / 10);
+}
+
 TEST(SafetyLimiterTest, WaitsForACrossingMoverByHand) {
   SafetyLimiterParameters parameters = Parameters();
   parameters.swerve = 0.0;
