@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
+
+#include "vfh_astar/beam_directions.h"
 
 namespace vfh_astar {
 
@@ -60,19 +61,13 @@ std::vector<Eigen::Vector2d> HitPoints(const LaserScan& scan,
                                        double max_range) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(scan.ranges.size());
-  // Each beam's direction is the one before turned by the increment: over a
-  // thousand beams that loses 1e-13 rad.
-  const std::complex<double> turn = std::polar(1.0, scan.angle_increment);
-  std::complex<double> direction =
-      std::polar(1.0, laser_pose.theta + scan.angle_min);
+  BeamDirections direction(scan, laser_pose.theta);
   for (const float range : scan.ranges) {
     if (scan.IsHit(range) && range <= max_range) {
-      points.emplace_back(laser_pose.x + range * direction.real(),
-                          laser_pose.y + range * direction.imag());
+      points.emplace_back(laser_pose.x + range * direction.x(),
+                          laser_pose.y + range * direction.y());
     }
-    direction = {
-        direction.real() * turn.real() - direction.imag() * turn.imag(),
-        direction.real() * turn.imag() + direction.imag() * turn.real()};
+    direction.Next();
   }
   return points;
 }

@@ -11,6 +11,8 @@ inline constexpr double kPi = 3.14159265358979323846;
 /// Wraps an angle to (-pi, pi].
 /// @param[in] angle rad, finite.
 inline double NormalizeAngle(double angle) {
+  // Nearly all are, and std::remainder is slow.
+  if (-kPi < angle && angle <= kPi) return angle;
   const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped <= -kPi ? wrapped + 2.0 * kPi : wrapped;
 }
@@ -65,6 +67,18 @@ class PointTransform {
         y_(pose.y),
         cos_(std::cos(pose.theta)),
         sin_(std::sin(pose.theta)) {}
+
+  /// That of `pose.Inverse()`: takes points from the frame the pose is given in
+  /// to the pose's own.
+  static PointTransform Into(const Pose2D& pose) {
+    PointTransform transform(pose);
+    const double c = transform.cos_;
+    const double s = transform.sin_;
+    transform.x_ = -c * pose.x - s * pose.y;
+    transform.y_ = s * pose.x - c * pose.y;
+    transform.sin_ = -s;
+    return transform;
+  }
 
   Eigen::Vector2d operator*(const Eigen::Vector2d& point) const {
     return {x_ + cos_ * point.x() - sin_ * point.y(),

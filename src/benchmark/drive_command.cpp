@@ -7,6 +7,7 @@
 #include "benchmark/drive.h"
 #include "benchmark/figure_eight.h"
 #include "benchmark/pose_option.h"
+#include "benchmark/quantile.h"
 
 namespace vfh_astar {
 namespace {
@@ -171,14 +172,23 @@ nlohmann::json ToJson(const DriveResult& result) {
 }
 
 nlohmann::json Run(const po::variables_map& options) {
-  const DriveResult result = Drive(TaskFrom(options));
+  StageTimes times;
+  DriveTask task = TaskFrom(options);
+  task.times = &times;
+  const DriveResult result = Drive(task);
   if (options.count("trace") != 0) {
     WriteTrace(options["trace"].as<std::string>(), result);
   }
   if (options.count("motions") != 0) {
     WriteMotions(options["motions"].as<std::string>(), result);
   }
-  return ToJson(result);
+  nlohmann::json json = ToJson(result);
+  const std::vector<double>& ticks = times.Of(Stage::kControlTick);
+  if (!ticks.empty()) {
+    json["control_tick_median_us"] = Quantile(ticks, 0.5);
+    json["control_tick_p99_us"] = Quantile(ticks, 0.99);
+  }
+  return json;
 }
 
 }  // namespace

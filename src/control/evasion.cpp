@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "vfh_astar/control/command_shaping.h"
 
@@ -17,6 +18,10 @@ constexpr double kReverse = 0.5;      ///< m/s
 constexpr double kStaticRoom = 0.06;  ///< m beside what stands.
 /// s in which a robot must be able to stop before what stands.
 constexpr double kTimeToStop = 0.8;
+
+/// After so many steps it is asked whether a motion can still be the best.
+constexpr std::size_t kStepsPerJudgement = 2;
+constexpr double kRounding = 1e-9;  ///< of a cost.
 
 constexpr double kLeastMargin = 0.03;  ///< m
 constexpr double kDeepest = 1.5;       ///< m short of comfort that still count.
@@ -49,7 +54,37 @@ void EvasionParameters::Read(ParameterReader& reader) {
 
 Evasion::Evasion(const EvasionParameters& parameters,
                  const Footprint& footprint, const RobotLimits& limits)
-    : parameters_(parameters), footprint_(footprint), limits_(limits) {}
+    : parameters_(parameters),
+      footprint_(footprint),
+      limits_(limits),
+      radius_(footprint.CircumscribedRadius()) {}
+
+Evasion::Forecast Evasion::Foresee(const EvasionScene& scene) const {
+  Forecast forecast;
+  for (const MovingObstacle& mover : scene.movers) {
+    Body body{parameters_.lead * mover.velocity, mover.radius,
+              mover.velocity.norm(), 0.0};
+    const double gap = Gap(body, mover.position, Eigen::Vector2d::Zero(), 0.0);
+    // Who is nearer than the margin already has to get away as best it can.
+    body.margin = std::clamp(gap - 0.02, kLeastMargin, parameters_.margin);
+    forecast.bodies.push_back(body);
+  }
+  double time = 0.0;
+  forecast.times = {time};
+  while (time < parameters_.horizon) {
+    time += kStep;
+    forecast.times.push_back(time);
+  }
+  for (const double at : forecast.times) {
+    for (const MovingObstacle& mover : scene.movers) {
+      const double reach = parameters_.comfort + mover.radius + radius_ +
+                           parameters_.growth * at +
+                           parameters_.lead * mover.velocity.norm();
+      forecast.places.push_back({mover.At(at), reach * reach});
+    }
+  }
+  return forecast;
+}
 
 std::vector<Evasion::Motion> Evasion::Motions(const EvasionScene& scene) const {
   const double target = std::atan2(scene.target.y(), scene.target.x());
@@ -74,8 +109,10 @@ Twist2D Evasion::Steer(const Motion& motion, double heading) const {
                     limits_);
 }
 
-Evasion::Outlook Evasion::Play(const Motion& motion,
-                               const EvasionScene& scene) const {
+std::optional<Evasion::Outlook> Evasion::Play(const Motion& motion,
+                                              const EvasionScene& scene,
+                                              const Forecast& forecast,
+                                              double most) const {
   RobotLimits reliable = limits_;
   reliable.max_acceleration *= kReliable;
   reliable.max_deceleration *= kReliable;
@@ -84,76 +121,80 @@ Evasion::Outlook Evasion::Play(const Motion& motion,
   Outlook outlook{kNone, kNone, 0.0, kNone};
   Pose2D pose;
   Twist2D twist = scene.twist;
+  const double fastest = std::max(std::abs(twist.v), std::abs(motion.speed));
   const double room_here = scene.room ? scene.room(pose.position()) : kNone;
   const double least_room =
       std::min(footprint_.InscribedRadius() + kStaticRoom, room_here - 0.01);
-  double time = 0.0;
-  while (time < parameters_.horizon) {
+  const double target_distance = scene.target.norm();
+  for (std::size_t step = 1; step < forecast.times.size(); ++step) {
     twist =
         LimitAcceleration(Steer(motion, pose.theta), twist, reliable, kStep);
-    const Twist2D slowed = Slowed(twist, pose, time, scene);
+    const Twist2D slowed = Slowed(twist, pose, forecast, step - 1);
     pose = Integrate(pose, slowed, kStep);
     twist.v = slowed.v;
-    time += kStep;
+    const double time = forecast.times[step];
+    outlook.way = target_distance - (scene.target - pose.position()).norm();
     if (scene.room && scene.room(pose.position()) < least_room) {
       outlook.free_time = time;
       break;
     }
-    for (std::size_t i = 0; i < scene.movers.size(); ++i) {
-      const MovingObstacle& mover = scene.movers[i];
-      // Of what is far away there is no need to know how far.
-      if (IsBeyond(mover, pose.position(), time, parameters_.comfort)) continue;
-      const double gap = Gap(mover, pose.position(), time);
-      outlook.gap = std::min(outlook.gap, gap);
-      if (gap < margins_[i]) {
-        outlook.contact_time = std::min(outlook.contact_time, time);
-      }
-    }
+    LookAround(pose.position(), forecast, step, &outlook);
+    if (step % kStepsPerJudgement != 0) continue;
+    Outlook at_best = outlook;
+    at_best.way += fastest * (forecast.times.back() - time);
+    if (Cost(motion, at_best) > most + kRounding) return std::nullopt;
   }
-  outlook.way = scene.target.norm() - (scene.target - pose.position()).norm();
   return outlook;
 }
 
-Twist2D Evasion::Slowed(const Twist2D& twist, const Pose2D& pose, double time,
-                        const EvasionScene& scene) const {
+void Evasion::LookAround(const Eigen::Vector2d& place, const Forecast& forecast,
+                         std::size_t step, Outlook* outlook) const {
+  const double time = forecast.times[step];
+  const Place* places = forecast.At(step);
+  for (std::size_t i = 0; i < forecast.bodies.size(); ++i) {
+    const Eigen::Vector2d& position = places[i].position;
+    // Of what is far away there is no need to know how far.
+    if ((position - place).squaredNorm() > places[i].beyond) continue;
+    const double gap = Gap(forecast.bodies[i], position, place, time);
+    outlook->gap = std::min(outlook->gap, gap);
+    if (gap < forecast.bodies[i].margin) {
+      outlook->contact_time = std::min(outlook->contact_time, time);
+    }
+  }
+}
+
+Twist2D Evasion::Slowed(const Twist2D& twist, const Pose2D& pose,
+                        const Forecast& forecast, std::size_t step) const {
   Twist2D slowed = twist;
-  const double radius = footprint_.CircumscribedRadius();
-  for (const MovingObstacle& mover : scene.movers) {
-    const Eigen::Vector2d way = mover.At(time) - pose.position();
-    const double near = kNearEnough + mover.radius + radius;
+  const Place* places = forecast.At(step);
+  for (std::size_t i = 0; i < forecast.bodies.size(); ++i) {
+    const Body& body = forecast.bodies[i];
+    const Eigen::Vector2d way = places[i].position - pose.position();
+    const double near = kNearEnough + body.radius + radius_;
     if (way.squaredNorm() > near * near) continue;
-    const double speed = mover.velocity.norm();
+    const Eigen::Vector2d heading = pose.heading();
     for (int halving = 0; halving < 3; ++halving) {
       const double stop_time = kReaction + std::abs(slowed.v) / kBraking;
       const double stop_way =
           slowed.v * (kReaction + 0.5 * std::abs(slowed.v) / kBraking);
       const double left =
-          (way - stop_way * pose.heading()).norm() - mover.radius - radius;
-      if (left > speed * stop_time) break;
+          (way - stop_way * heading).norm() - body.radius - radius_;
+      if (left > body.speed * stop_time) break;
       slowed.v *= 0.5;
     }
   }
   return slowed;
 }
 
-bool Evasion::IsBeyond(const MovingObstacle& mover,
-                       const Eigen::Vector2d& place, double time,
-                       double gap) const {
-  const double reach = gap + mover.radius + footprint_.CircumscribedRadius() +
-                       parameters_.growth * time +
-                       parameters_.lead * mover.velocity.norm();
-  return (mover.At(time) - place).squaredNorm() > reach * reach;
-}
-
-double Evasion::Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
-                    double time) const {
-  const Eigen::Vector2d ahead = parameters_.lead * mover.velocity;
-  const Eigen::Vector2d offset = place - mover.At(time);
-  const double length = ahead.squaredNorm();
+double Evasion::Gap(const Body& body, const Eigen::Vector2d& position,
+                    const Eigen::Vector2d& place, double time) const {
+  const Eigen::Vector2d offset = place - position;
+  const double length = body.ahead.squaredNorm();
   const double along =
-      length == 0.0 ? 0.0 : std::clamp(offset.dot(ahead) / length, 0.0, 1.0);
-  return (offset - along * ahead).norm() - mover.radius -
-         footprint_.CircumscribedRadius() - parameters_.growth * time;
+      length == 0.0 ? 0.0
+                    : std::clamp(offset.dot(body.ahead) / length, 0.0, 1.0);
+  return (offset - along * body.ahead).norm() - body.radius - radius_ -
+         parameters_.growth * time;
 }
 
 double Evasion::Cost(const Motion& motion, const Outlook& outlook) const {
@@ -176,39 +217,61 @@ double Evasion::Cost(const Motion& motion, const Outlook& outlook) const {
   return cost;
 }
 
-EvasionResult Evasion::Update(const EvasionScene& scene) {
-  struct Choice {
-    double cost;
-    Motion motion;
-    double contact_time;
-  };
-  std::vector<Choice> choices;
-  margins_.clear();
-  for (const MovingObstacle& mover : scene.movers) {
-    // Who is nearer than the margin already has to get away as best it can.
-    margins_.push_back(
-        std::clamp(Gap(mover, Eigen::Vector2d::Zero(), 0.0) - 0.02,
-                   kLeastMargin, parameters_.margin));
+std::vector<std::size_t> Evasion::MostPromisingFirst(
+    const std::vector<Motion>& motions, const EvasionScene& scene,
+    double horizon) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<double> least(motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Eigen::Vector2d end = horizon * motions[i].speed *
+                                Pose2D(0.0, 0.0, motions[i].heading).heading();
+    const double way = scene.target.norm() - (scene.target - end).norm();
+    least[i] = Cost(motions[i], {kNone, kNone, way, kNone});
   }
-  for (const Motion& motion : Motions(scene)) {
-    const Outlook outlook = Play(motion, scene);
-    choices.push_back({Cost(motion, outlook), motion, outlook.contact_time});
-  }
+  std::vector<std::size_t> order(motions.size());
+  std::iota(order.begin(), order.end(), 0);
   std::stable_sort(
-      choices.begin(), choices.end(),
-      [](const Choice& a, const Choice& b) { return a.cost < b.cost; });
-  const auto allowed =
-      std::find_if(choices.begin(), choices.end(), [&](const Choice& choice) {
-        return !scene.is_allowed || scene.is_allowed(Steer(choice.motion, 0.0));
-      });
-  const Choice& best = allowed == choices.end() ? choices.front() : *allowed;
-  last_heading_ = best.motion.heading;
+      order.begin(), order.end(),
+      [&](std::size_t a, std::size_t b) { return least[a] < least[b]; });
+  return order;
+}
+
+EvasionResult Evasion::Update(const EvasionScene& scene) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  struct Choice {
+    double cost = kNone;
+    std::size_t motion = 0;
+    double contact_time = kNone;
+
+    bool operator<(const Choice& other) const {
+      return cost < other.cost || (cost == other.cost && motion < other.motion);
+    }
+  };
+  const Forecast forecast = Foresee(scene);
+  const std::vector<Motion> motions = Motions(scene);
+  Choice best;     // of all, as long as none is allowed,
+  Choice allowed;  // and of those.
+  for (const std::size_t i :
+       MostPromisingFirst(motions, scene, forecast.times.back())) {
+    // What costs more than an allowed one is out, however it ends.
+    const std::optional<Outlook> outlook =
+        Play(motions[i], scene, forecast, allowed.cost);
+    if (!outlook) continue;
+    const Choice choice{Cost(motions[i], *outlook), i, outlook->contact_time};
+    if (choice < best) best = choice;
+    if (choice < allowed &&
+        (!scene.is_allowed || scene.is_allowed(Steer(motions[i], 0.0)))) {
+      allowed = choice;
+    }
+  }
+  if (allowed.cost < kNone) best = allowed;
+  const Motion& motion = motions[best.motion];
+  last_heading_ = motion.heading;
   EvasionResult result;
   result.contact_time = best.contact_time;
-  result.command = Steer(best.motion, 0.0);
-  result.direction = best.motion.speed < 0.0
-                         ? NormalizeAngle(best.motion.heading + kPi)
-                         : best.motion.heading;
+  result.command = Steer(motion, 0.0);
+  result.direction = motion.speed < 0.0 ? NormalizeAngle(motion.heading + kPi)
+                                        : motion.heading;
   return result;
 }
 

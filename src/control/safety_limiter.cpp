@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 namespace vfh_astar {
 namespace {
@@ -15,17 +17,62 @@ constexpr double kMostSteps = 1e4;
 /// m by which a point within the margin may come nearer through rounding.
 constexpr double kTolerance = 1e-4;
 
-constexpr double kFastestTurn = 4.0;  ///< rad/s, of any command.
-constexpr double kMoverStep = 0.05;   ///< s between two checks at most.
-constexpr double kSlowest = 0.1;      ///< m/s, so that a step is finite.
+constexpr double kMoverStep = 0.05;  ///< s between two checks at most.
+constexpr double kSlowest = 0.1;     ///< m/s, so that a step is finite.
 
 /// m/s below which driving on is not worth giving up a turn for.
 constexpr double kCreep = 0.02;
 
 struct Obstacle {
   Eigen::Vector2d point;
+  double distance;  ///< m from the footprint at the start.
   double required;  ///< m to keep from it.
 };
+
+/// A motion in steps.
+class Sweep {
+ public:
+  Sweep(const Twist2D& command, double duration, int steps)
+      : command_(command), duration_(duration), robot_from_start_(steps) {}
+
+  std::size_t size() const { return robot_from_start_.size(); }
+
+  /// @param[in] step from 1 to size().
+  const PointTransform& RobotFromStart(std::size_t step) {
+    std::optional<PointTransform>& transform = robot_from_start_[step - 1];
+    if (!transform) {
+      transform = PointTransform::Into(Integrate(
+          Pose2D(), command_,
+          duration_ * static_cast<double>(step) / static_cast<double>(size())));
+    }
+    return *transform;
+  }
+
+ private:
+  Twist2D command_;
+  double duration_;
+  std::vector<std::optional<PointTransform>> robot_from_start_;  ///< if needed.
+};
+
+/// @param[in] stride m that no point of the footprint exceeds in a step.
+bool KeepsClear(const Footprint& footprint, const Obstacle& obstacle,
+                double stride, Sweep* sweep) {
+  // What is further away than it must be needs no look until the steps between
+  // could have used that up.
+  const auto until_look = [&](double distance) {
+    const double spare = (distance - obstacle.required) / stride;
+    return static_cast<std::size_t>(
+        std::clamp(spare, 1.0, static_cast<double>(sweep->size() + 1)));
+  };
+  for (std::size_t step = until_look(obstacle.distance);
+       step <= sweep->size();) {
+    const double distance =
+        footprint.SignedDistance(sweep->RobotFromStart(step) * obstacle.point);
+    if (distance < obstacle.required) return false;
+    step += until_look(distance);
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -55,30 +102,26 @@ bool SafetyLimiter::CanStop(
   const double circumscribed = footprint_.CircumscribedRadius();
   const double reach = std::abs(command.v) * duration + circumscribed +
                        parameters_.margin + kSweepStep;
+  const double travel =
+      (std::abs(command.v) + std::abs(command.w) * circumscribed) * duration;
   std::vector<Obstacle> near;
   for (const Eigen::Vector2d& point : obstacles) {
     if (point.squaredNorm() > reach * reach) continue;
     const double distance = footprint_.SignedDistance(point);
+    // No point of the footprint moves by more than the travel.
+    if (distance > travel + parameters_.margin) continue;
     near.push_back(
-        {point, std::min(parameters_.margin, distance) - kTolerance});
+        {point, distance, std::min(parameters_.margin, distance) - kTolerance});
   }
-  if (near.empty()) return true;
-
-  const double travel =
-      (std::abs(command.v) + std::abs(command.w) * circumscribed) * duration;
   const double least_steps = std::ceil(travel / kSweepStep);
+  if (near.empty() || least_steps == 0.0) return true;
   if (!(least_steps <= kMostSteps)) return false;
-  const int steps = static_cast<int>(least_steps);
-  for (int step = 1; step <= steps; ++step) {
-    const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
-    const PointTransform robot_from_start(pose.Inverse());
-    for (const Obstacle& obstacle : near) {
-      const double distance =
-          footprint_.SignedDistance(robot_from_start * obstacle.point);
-      if (distance < obstacle.required) return false;
-    }
-  }
-  return true;
+  Sweep sweep(command, duration, static_cast<int>(least_steps));
+  // Rounding must not let a step pass for shorter than it is.
+  const double stride = (1.0 + 1e-9) * travel / least_steps;
+  return std::all_of(near.begin(), near.end(), [&](const Obstacle& obstacle) {
+    return KeepsClear(footprint_, obstacle, stride, &sweep);
+  });
 }
 
 bool SafetyLimiter::CanStopBefore(
@@ -109,7 +152,8 @@ bool SafetyLimiter::CanStopBefore(
       const double standing = footprint_.SignedDistance(centre) - radius;
       const Pose2D pose = Integrate(Pose2D(), command, driven);
       const double distance =
-          footprint_.SignedDistance(pose.Inverse() * centre) - radius;
+          footprint_.SignedDistance(PointTransform::Into(pose) * centre) -
+          radius;
       if (distance < std::min(parameters_.margin, standing) - kTolerance ||
           distance < -parameters_.swerve * speed * time) {
         return false;
@@ -126,17 +170,16 @@ bool SafetyLimiter::IsReadyForTurn(const Twist2D& command, double hold,
   const double duration = hold + braking;
   const Pose2D end = Integrate(Pose2D(), command, hold + 0.5 * braking);
   const double distance =
-      footprint_.SignedDistance(end.Inverse() * mover.position);
+      footprint_.SignedDistance(PointTransform::Into(end) * mover.position);
   return distance >
          mover.radius + parameters_.surprise * mover.velocity.norm() * duration;
 }
 
-double SafetyLimiter::Reach(double speed) const {
+double SafetyLimiter::Reach(const Twist2D& fastest) const {
   // Turning, too, can take long to brake.
-  const double braking =
-      std::max(speed / parameters_.deceleration,
-               kFastestTurn / parameters_.angular_deceleration);
-  return speed * (parameters_.reaction_time + 0.5 * braking) +
+  const double braking = std::max(fastest.v / parameters_.deceleration,
+                                  fastest.w / parameters_.angular_deceleration);
+  return fastest.v * (parameters_.reaction_time + 0.5 * braking) +
          footprint_.CircumscribedRadius() + parameters_.margin + kSweepStep;
 }
 

@@ -1,5 +1,6 @@
 #include "vfh_astar/navigation/collision_watch.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,46 +10,99 @@
 
 namespace vfh_astar {
 
+namespace {
+
+constexpr double kScanStep = 0.05;  ///< s between two looks at the scan.
+
+/// A trajectory at the times at which it is looked at.
+class Looks {
+ public:
+  /// @param[in] reach m from the robot's centre to the farthest point that may
+  ///   be in its way.
+  Looks(const Trajectory& trajectory, double from, double end, double reach)
+      : squared_reach_(reach * reach) {
+    for (double time = from; time <= end; time += kScanStep) {
+      looks_.push_back({time, trajectory.Sample(time).pose, {}});
+    }
+    for (std::size_t begin = 0; begin < size(); begin += kStretch) {
+      stretches_.push_back(StretchFrom(begin, reach));
+      everything_.extend(stretches_.back().box);
+    }
+  }
+
+  std::size_t size() const { return looks_.size(); }
+  double TimeOf(std::size_t look) const { return looks_[look].time; }
+
+  /// The first look at which the footprint holds the point, of those before
+  /// `end`; `end` when there is none.
+  std::size_t FirstHit(const Footprint& footprint, const Eigen::Vector2d& point,
+                       std::size_t end) {
+    if (!everything_.contains(point)) return end;
+    for (const Stretch& stretch : stretches_) {
+      if (stretch.begin >= end) break;
+      if (!stretch.box.contains(point)) continue;
+      const std::size_t stop = std::min(stretch.end, end);
+      for (std::size_t i = stretch.begin; i < stop; ++i) {
+        const Eigen::Vector2d offset = point - looks_[i].pose.position();
+        if (offset.squaredNorm() > squared_reach_) continue;
+        if (footprint.Contains(RobotFromMap(i) * point)) return i;
+      }
+    }
+    return end;
+  }
+
+ private:
+  static constexpr std::size_t kStretch = 8;
+
+  struct Look {
+    double time;                                   ///< s
+    Pose2D pose;                                   ///< map frame
+    std::optional<PointTransform> robot_from_map;  ///< once it was needed.
+  };
+  /// Looks in a row, and a box around all that can be in their way.
+  struct Stretch {
+    std::size_t begin;
+    std::size_t end;
+    Eigen::AlignedBox2d box;  ///< map frame
+  };
+
+  Stretch StretchFrom(std::size_t begin, double reach) const {
+    const std::size_t end = std::min(begin + kStretch, size());
+    Eigen::AlignedBox2d box;
+    for (std::size_t i = begin; i < end; ++i) {
+      box.extend(looks_[i].pose.position());
+    }
+    // A little more, so that rounding leaves out nothing at the reach's end.
+    const Eigen::Vector2d grown = Eigen::Vector2d::Constant(reach + 1e-9);
+    return {begin, end, {box.min() - grown, box.max() + grown}};
+  }
+
+  const PointTransform& RobotFromMap(std::size_t i) {
+    std::optional<PointTransform>& transform = looks_[i].robot_from_map;
+    if (!transform) transform = PointTransform::Into(looks_[i].pose);
+    return *transform;
+  }
+
+  double squared_reach_;
+  std::vector<Look> looks_;
+  std::vector<Stretch> stretches_;
+  Eigen::AlignedBox2d everything_;  ///< empty without looks.
+};
+
+}  // namespace
+
 double TimeToScanCollision(const Trajectory& trajectory, double from,
                            double horizon, const Footprint& footprint,
                            double margin, const Observation& observation) {
-  constexpr double kStep = 0.05;
   const double end = std::min(from + horizon, trajectory.duration());
   const Footprint grown = footprint.Grown(margin);
-  const double reach = grown.CircumscribedRadius();
-  const double farthest =
-      trajectory.Length(end) - trajectory.Length(from) + reach;
-  // The robot may be off the trajectory, so distances count from its start.
-  const Pose2D start = trajectory.Sample(from).pose;
   const PointTransform map_from_robot(observation.pose);
-  std::vector<Eigen::Vector2d> near;
-  near.reserve(observation.obstacles.size());
+  Looks looks(trajectory, from, end, grown.CircumscribedRadius());
+  std::size_t first = looks.size();
   for (const Eigen::Vector2d& point : observation.obstacles) {
-    const Eigen::Vector2d in_map = map_from_robot * point;
-    if ((in_map - start.position()).squaredNorm() <= farthest * farthest) {
-      near.push_back(in_map);
-    }
+    first = looks.FirstHit(grown, map_from_robot * point, first);
   }
-  if (near.empty()) return kNever;
-  // Around a place that has been looked at nothing is in the way until the
-  // robot's centre has moved by the room there was.
-  Eigen::Vector2d looked_at = start.position();
-  double room = 0.0;
-  for (double time = from; time <= end; time += kStep) {
-    const Pose2D pose = trajectory.Sample(time).pose;
-    if ((pose.position() - looked_at).norm() < room) continue;
-    const PointTransform robot_from_map(pose.Inverse());
-    double nearest = kNever;
-    for (const Eigen::Vector2d& point : near) {
-      const double distance = (point - pose.position()).squaredNorm();
-      nearest = std::min(nearest, distance);
-      if (distance > reach * reach) continue;
-      if (grown.Contains(robot_from_map * point)) return time - from;
-    }
-    looked_at = pose.position();
-    room = std::sqrt(nearest) - reach;
-  }
-  return kNever;
+  return first < looks.size() ? looks.TimeOf(first) - from : kNever;
 }
 
 double TimeToMapCollision(const Trajectory& trajectory, double from,
@@ -73,8 +127,8 @@ double TimeToMoverCollision(const Trajectory& trajectory, double from,
     movers.push_back(Transform(observation.pose, mover));
   }
   for (double time = 0.0; time <= horizon; time += kStep) {
-    const Pose2D robot_from_map =
-        trajectory.Sample(from + rate * time).pose.Inverse();
+    const PointTransform robot_from_map =
+        PointTransform::Into(trajectory.Sample(from + rate * time).pose);
     for (const MovingObstacle& mover : movers) {
       const double distance =
           footprint.SignedDistance(robot_from_map * mover.At(time));

@@ -100,13 +100,7 @@ Twist2D Driver::Evade(const Observation& observation, double duration) {
       return map.At(origin + point.x() * x_axis + point.y() * y_axis);
     };
   }
-  std::vector<Eigen::Vector2d> hits = AllHits(observation);
-  const double reach = limiter_.Reach(parameters_.limits.max_v);
-  hits.erase(std::remove_if(hits.begin(), hits.end(),
-                            [reach](const Eigen::Vector2d& hit) {
-                              return hit.squaredNorm() > reach * reach;
-                            }),
-             hits.end());
+  const std::vector<Eigen::Vector2d> hits = HitsWithinReach(observation);
   scene.is_allowed = [&](const Twist2D& wanted) {
     return limiter_.IsSafe(Shape(wanted, duration), hits, observation.movers);
   };
@@ -115,6 +109,27 @@ Twist2D Driver::Evade(const Observation& observation, double duration) {
   avoidance_.open = true;
   avoidance_.direction = result.direction;
   return result.command;
+}
+
+std::vector<Eigen::Vector2d> Driver::HitsWithinReach(
+    const Observation& observation) const {
+  const RobotLimits& limits = parameters_.limits;
+  const Twist2D& measured = observation.twist;
+  // Neither what is measured nor a command after a change of the limits has to
+  // keep to them.
+  const Twist2D fastest{
+      std::max({limits.max_v, limits.max_v_reverse, std::abs(previous_.v),
+                std::abs(measured.v)}),
+      std::max({limits.max_w, std::abs(previous_.w), std::abs(measured.w)})};
+  const double reach = limiter_.Reach(fastest);
+  std::vector<Eigen::Vector2d> hits;
+  hits.reserve(observation.obstacles.size() + observation.mover_hits.size());
+  for (const auto* points : {&observation.obstacles, &observation.mover_hits}) {
+    for (const Eigen::Vector2d& point : *points) {
+      if (point.squaredNorm() <= reach * reach) hits.push_back(point);
+    }
+  }
+  return hits;
 }
 
 Twist2D Driver::Shape(const Twist2D& wanted, double duration) const {
@@ -126,7 +141,7 @@ LimitedCommand Driver::Limit(const Twist2D& wanted,
                              const Observation& observation, double duration) {
   const LimitedCommand limited =
       limiter_.Limit(Shape(wanted, duration), observation.twist,
-                     AllHits(observation), observation.movers);
+                     HitsWithinReach(observation), observation.movers);
   previous_ = limited.command;
   return limited;
 }

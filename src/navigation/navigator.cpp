@@ -402,7 +402,10 @@ void Navigator::Impl::DescribeTo(NavigatorStatus* status) const {
   status->clearance =
       observation_.fault
           ? std::numeric_limits<double>::quiet_NaN()
-          : FootprintClearance(parameters_.footprint, AllHits(observation_));
+          : std::min(FootprintClearance(parameters_.footprint,
+                                        observation_.obstacles),
+                     FootprintClearance(parameters_.footprint,
+                                        observation_.mover_hits));
   if (HasGoal(status->state)) {
     status->distance_to_goal =
         (goal_.pose.position() - observation_.pose.position()).norm();

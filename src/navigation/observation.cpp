@@ -73,13 +73,6 @@ void TrackObstacles(const NavigatorInput& input, ObstacleTracker& tracker) {
                                    input.base_from_laser);
 }
 
-std::vector<Eigen::Vector2d> AllHits(const Observation& observation) {
-  std::vector<Eigen::Vector2d> hits = observation.obstacles;
-  hits.insert(hits.end(), observation.mover_hits.begin(),
-              observation.mover_hits.end());
-  return hits;
-}
-
 Observation Observe(const NavigatorInput& input,
                     const NavigatorParameters& parameters,
                     const ObstacleTracker* tracker) {
@@ -103,8 +96,10 @@ Observation Observe(const NavigatorInput& input,
   }
   observation.obstacles =
       HitPoints(tracker->Without(*input.scan), now_from_laser, range_max);
-  observation.mover_hits =
-      HitPoints(tracker->Only(*input.scan), now_from_laser, range_max);
+  if (tracker->HitsMovers()) {
+    observation.mover_hits =
+        HitPoints(tracker->Only(*input.scan), now_from_laser, range_max);
+  }
   const double age = input.time - input.scan->stamp;
   for (MovingObstacle mover : tracker->Moving()) {
     mover.position = mover.At(age);
@@ -116,8 +111,14 @@ Observation Observe(const NavigatorInput& input,
 double FootprintClearance(const Footprint& footprint,
                           const std::vector<Eigen::Vector2d>& obstacles) {
   double clearance = std::numeric_limits<double>::infinity();
+  const double radius = footprint.CircumscribedRadius();
+  double matters = clearance;  // m^2 from the robot's centre.
   for (const Eigen::Vector2d& point : obstacles) {
-    clearance = std::min(clearance, footprint.SignedDistance(point));
+    if (point.squaredNorm() > matters) continue;
+    const double distance = footprint.SignedDistance(point);
+    if (distance >= clearance) continue;
+    clearance = distance;
+    matters = (clearance + radius) * (clearance + radius);
   }
   return clearance;
 }

@@ -13,8 +13,8 @@ constexpr double kFitSigma = 0.02;     ///< m, of a fitted centre.
 constexpr double kGuessSigma = 0.08;   ///< m, of any other.
 constexpr double kBestFit = 0.025;     ///< m of error of a circle.
 constexpr double kLeastRadius = 0.05;  ///< m
-constexpr double kLostTime = 0.15;  ///< s until what is not where it should be
-                                    ///< is given up.
+constexpr double kLostTime = 0.15;   ///< s until what is not where it should be
+                                     ///< is given up.
 constexpr double kLongestGap = 0.5;  ///< s; a longer one begins anew.
 
 Eigen::Vector2d Mean(const std::vector<Eigen::Vector2d>& points) {
@@ -39,14 +39,14 @@ ObstacleTracker::ObstacleTracker(const TrackerParameters& parameters)
 void ObstacleTracker::AddScan(const LaserScan& scan, const Pose2D& laser_pose) {
   if (parameters_.max_range == 0.0) return;
   if (has_scan_) {
-    const double gap = scan.stamp - last_.scan.stamp;
+    const double gap = scan.stamp - last_.scan().stamp;
     if (gap == 0.0) return;
     if (gap < 0.0 || gap > kLongestGap) {
       tracks_.clear();
       memory_.Clear();
     }
   }
-  last_ = {scan, laser_pose};
+  last_ = PlacedScan(scan, laser_pose);
   has_scan_ = true;
   moving_beams_.clear();
   for (ObstacleTrack& track : tracks_) track.Predict(scan.stamp);
@@ -75,7 +75,7 @@ TrackMeasurement ObstacleTracker::Measure(const ScanCluster& cluster,
   // Without a circle, the middle of what is seen lies before the centre by
   // about the radius.
   const Eigen::Vector2d mean = Mean(cluster.points);
-  const Eigen::Vector2d away = mean - last_.pose.position();
+  const Eigen::Vector2d away = mean - last_.pose().position();
   const bool knows_radius = track != nullptr && track->has_radius();
   double radius = 0.5 * cluster.extent;
   if (knows_radius) radius = track->obstacle().radius;
@@ -119,10 +119,10 @@ void ObstacleTracker::Follow(const std::vector<ScanCluster>& clusters) {
   }
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     if (is_taken[c]) continue;
-    tracks_.emplace_back(next_id_++, last_.scan.stamp,
+    tracks_.emplace_back(next_id_++, last_.scan().stamp,
                          Measure(clusters[c], nullptr));
     tracks_.back().old_points = clusters[c].points;
-    tracks_.back().old_points_time = last_.scan.stamp;
+    tracks_.back().old_points_time = last_.scan().stamp;
   }
 }
 
@@ -148,9 +148,9 @@ void ObstacleTracker::Judge(ObstacleTrack& track, const ScanCluster& cluster) {
     evidence = std::max(entered, left);
   }
   track.Judge(evidence, parameters_.min_speed);
-  if (last_.scan.stamp - track.old_points_time > 0.5 * parameters_.memory) {
+  if (last_.scan().stamp - track.old_points_time > 0.5 * parameters_.memory) {
     track.old_points = cluster.points;
-    track.old_points_time = last_.scan.stamp;
+    track.old_points_time = last_.scan().stamp;
   }
   if (!track.is_moving()) return;
   moving_beams_.insert(moving_beams_.end(), cluster.beams.begin(),
@@ -158,7 +158,7 @@ void ObstacleTracker::Judge(ObstacleTrack& track, const ScanCluster& cluster) {
 }
 
 void ObstacleTracker::DropLost() {
-  const double now = last_.scan.stamp;
+  const double now = last_.scan().stamp;
   const auto is_lost = [&](const ObstacleTrack& track) {
     const double unseen = now - track.last_seen();
     if (unseen == 0.0) return false;

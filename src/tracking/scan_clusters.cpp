@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vfh_astar/beam_directions.h"
+
 namespace vfh_astar {
 namespace {
 
@@ -18,16 +20,17 @@ std::vector<ScanCluster> FindClusters(const LaserScan& scan,
                                       const Pose2D& laser_pose,
                                       double max_range) {
   std::vector<ScanCluster> clusters;
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+  BeamDirections direction(scan, laser_pose.theta);
+  const double widening = kGapInSpacings * std::abs(scan.angle_increment);
+  for (std::size_t beam = 0; beam < scan.ranges.size();
+       ++beam, direction.Next()) {
     const double range = scan.ranges[beam];
     if (!scan.IsHit(scan.ranges[beam]) || range > max_range) continue;
-    const double angle = laser_pose.theta + scan.Angle(beam);
-    const Eigen::Vector2d point(laser_pose.x + range * std::cos(angle),
-                                laser_pose.y + range * std::sin(angle));
-    const double gap = std::max(
-        kLeastGap, kGapInSpacings * range * std::abs(scan.angle_increment));
+    const Eigen::Vector2d point(laser_pose.x + range * direction.x(),
+                                laser_pose.y + range * direction.y());
+    const double gap = std::max(kLeastGap, widening * range);
     if (clusters.empty() ||
-        (clusters.back().points.back() - point).norm() > gap) {
+        (clusters.back().points.back() - point).squaredNorm() > gap * gap) {
       clusters.emplace_back();
     }
     clusters.back().points.push_back(point);

@@ -12,29 +12,29 @@ constexpr int kNeighbours = 2;    ///< beams to each side that must agree.
 }  // namespace
 
 bool PlacedScan::SawThrough(const Eigen::Vector2d& point, double margin) const {
-  const Eigen::Vector2d seen = pose.Inverse() * point;
+  const Eigen::Vector2d seen = laser_from_frame_ * point;
   const double distance = seen.norm();
   const double angle = std::atan2(seen.y(), seen.x());
   const int beam = static_cast<int>(
-      std::lround((angle - scan.angle_min) / scan.angle_increment));
+      std::lround((angle - scan_.angle_min) / scan_.angle_increment));
   if (beam < kNeighbours ||
-      beam + kNeighbours >= static_cast<int>(scan.ranges.size())) {
+      beam + kNeighbours >= static_cast<int>(scan_.ranges.size())) {
     return false;
   }
   for (int i = beam - kNeighbours; i <= beam + kNeighbours; ++i) {
-    const float range = scan.ranges[i];
-    if (!scan.IsHit(range) && !scan.IsFree(range)) return false;
+    const float range = scan_.ranges[i];
+    if (!scan_.IsHit(range) && !scan_.IsFree(range)) return false;
     if (range < distance + margin) return false;
   }
   return true;
 }
 
 void ScanMemory::Add(const LaserScan& scan, const Pose2D& pose) {
-  if (!scans_.empty() && scan.stamp < scans_.back().scan.stamp + kSpacing) {
+  if (!scans_.empty() && scan.stamp < scans_.back().scan().stamp + kSpacing) {
     return;
   }
-  scans_.push_back({scan, pose});
-  while (scans_.front().scan.stamp < scan.stamp - length_) scans_.pop_front();
+  scans_.emplace_back(scan, pose);
+  while (scans_.front().scan().stamp < scan.stamp - length_) scans_.pop_front();
 }
 
 bool ScanMemory::WasFree(const Eigen::Vector2d& point, double margin) const {

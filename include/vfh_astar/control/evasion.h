@@ -2,6 +2,7 @@
 #define VFH_ASTAR_CONTROL_EVASION_H_
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -76,25 +77,55 @@ class Evasion {
     double free_time;  ///< s until something that stands is in the way.
   };
 
+  /// Something that moves, and what of it is the same for all motions.
+  struct Body {
+    Eigen::Vector2d ahead;  ///< m, its way that counts as its body.
+    double radius;          ///< m
+    double speed;           ///< m/s
+    double margin;          ///< m to keep from it.
+  };
+  struct Place {
+    Eigen::Vector2d position;  ///< m
+    /// m^2 from which on the robot is further away than comfort asks.
+    double beyond;
+  };
+  /// Where everything that moves will be at the times of the steps.
+  struct Forecast {
+    std::vector<Body> bodies;
+    std::vector<double> times;  ///< s, from 0 up to the horizon.
+    std::vector<Place> places;  ///< of all bodies, time by time.
+
+    const Place* At(std::size_t step) const {
+      return places.data() + step * bodies.size();
+    }
+  };
+
+  Forecast Foresee(const EvasionScene& scene) const;
   std::vector<Motion> Motions(const EvasionScene& scene) const;
   Twist2D Steer(const Motion& motion, double heading) const;
-  Outlook Play(const Motion& motion, const EvasionScene& scene) const;
-  /// True when Gap is certainly more than `gap`.
-  bool IsBeyond(const MovingObstacle& mover, const Eigen::Vector2d& place,
-                double time, double gap) const;
+  /// Nothing for a motion that will cost more than `most`.
+  std::optional<Outlook> Play(const Motion& motion, const EvasionScene& scene,
+                              const Forecast& forecast, double most) const;
+  /// Takes in how near the robot comes to what moves.
+  void LookAround(const Eigen::Vector2d& place, const Forecast& forecast,
+                  std::size_t step, Outlook* outlook) const;
   /// m between robot and obstacle, less what its way is uncertain by.
-  double Gap(const MovingObstacle& mover, const Eigen::Vector2d& place,
-             double time) const;
+  double Gap(const Body& body, const Eigen::Vector2d& position,
+             const Eigen::Vector2d& place, double time) const;
   /// The twist as what moves nearby will allow it.
-  Twist2D Slowed(const Twist2D& twist, const Pose2D& pose, double time,
-                 const EvasionScene& scene) const;
+  Twist2D Slowed(const Twist2D& twist, const Pose2D& pose,
+                 const Forecast& forecast, std::size_t step) const;
   double Cost(const Motion& motion, const Outlook& outlook) const;
+  /// The order in which a good motion is likely to be found soon.
+  std::vector<std::size_t> MostPromisingFirst(
+      const std::vector<Motion>& motions, const EvasionScene& scene,
+      double horizon) const;
 
   EvasionParameters parameters_;
   Footprint footprint_;
   RobotLimits limits_;
+  double radius_;  ///< m, of the circle around the footprint.
   std::optional<double> last_heading_;
-  std::vector<double> margins_;  ///< m, of each of the scene's movers.
 };
 
 }  // namespace vfh_astar

@@ -71,9 +71,10 @@ class SafetyLimiter {
   bool CanStopBefore(const Twist2D& command, double hold,
                      const std::vector<MovingObstacle>& movers) const;
 
-  /// m from the robot beyond which nothing that stands limits a command of up
-  /// to `speed` (m/s) and 4 rad/s.
-  double Reach(double speed) const;
+  /// m from the robot beyond which nothing that stands limits a command, or
+  /// calls for a stop, at speeds of up to those of `fastest` (both positive)
+  /// either way.
+  double Reach(const Twist2D& fastest) const;
 
   /// True for a command that passes both for the reaction time.
   bool IsSafe(const Twist2D& command,

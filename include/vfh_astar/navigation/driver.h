@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "vfh_astar/control/evasion.h"
 #include "vfh_astar/control/safety_limiter.h"
@@ -69,6 +70,9 @@ class Driver {
   double ReferenceRate(double lag) const;
   /// Within the limits on speed and acceleration.
   Twist2D Shape(const Twist2D& wanted, double duration) const;
+  /// The hits that may be in the way of what the robot can do next.
+  std::vector<Eigen::Vector2d> HitsWithinReach(
+      const Observation& observation) const;
   void LetReferenceWait(const Observation& observation, double duration);
   /// The point of the trajectory that is `distance` m away from the robot, in
   /// its frame.

@@ -65,9 +65,6 @@ Observation Observe(const NavigatorInput& input,
 /// two nothing happens.
 void TrackObstacles(const NavigatorInput& input, ObstacleTracker& tracker);
 
-/// All hits of an observation.
-std::vector<Eigen::Vector2d> AllHits(const Observation& observation);
-
 /// m from the footprint to the nearest obstacle, negative inside; +inf when
 /// there is none.
 double FootprintClearance(const Footprint& footprint,

@@ -42,6 +42,9 @@ class ObstacleTracker {
   /// What moves, in the frame of the poses, at the time of the last scan.
   std::vector<MovingObstacle> Moving() const;
 
+  /// True when beams of the last scan hit something that moves.
+  bool HitsMovers() const { return !moving_beams_.empty(); }
+
   /// The scan last given, with NaN where beams hit something that moves,
   LaserScan Without(LaserScan scan) const;
   /// and with NaN everywhere else.

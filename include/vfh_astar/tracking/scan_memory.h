@@ -10,14 +10,24 @@
 namespace vfh_astar {
 
 /// A scan and where it was taken.
-struct PlacedScan {
-  LaserScan scan;
-  Pose2D pose;  ///< of the laser.
+class PlacedScan {
+ public:
+  PlacedScan() = default;
+  PlacedScan(const LaserScan& scan, const Pose2D& laser_pose)
+      : scan_(scan), pose_(laser_pose), laser_from_frame_(pose_.Inverse()) {}
+
+  const LaserScan& scan() const { return scan_; }
+  const Pose2D& pose() const { return pose_; }  ///< of the laser.
 
   /// True when the beams around the point's direction all reached beyond it by
   /// more than `margin` (m): the place was free. What the scan could not see,
   /// behind something or beside its field of view, is not.
   bool SawThrough(const Eigen::Vector2d& point, double margin) const;
+
+ private:
+  LaserScan scan_;
+  Pose2D pose_;
+  PointTransform laser_from_frame_{Pose2D()};
 };
 
 /// Keeps the scans of the last second or so, thinned, to be asked whether a

@@ -97,17 +97,17 @@ TEST(SafetyLimiterTest, StopsOnWhatIsNoNumber) {
             0.0);
 }
 
-/// The least distance when the robot does what the limiter assumes at worst:
-/// holds the command for the reaction time, then brakes along its arc.
-double LeastDistance(const Twist2D& command, const Points& points,
-                     const SafetyLimiterParameters& parameters) {
-  const Footprint footprint;
+/// Has the robot do what the limiter assumes at worst: it holds the command for
+/// the reaction time, then brakes along its arc. Calls `visit` with the time,
+/// the pose then and the speed, as a share of the command's, that led there.
+template <typename Visit>
+void ActOut(const Twist2D& command, const SafetyLimiterParameters& parameters,
+            const Visit& visit) {
   const double braking =
       std::max(std::abs(command.v) / parameters.deceleration,
                std::abs(command.w) / parameters.angular_deceleration);
   constexpr double kStep = 0.004;
   Pose2D pose;
-  double least = 1e9;
   for (double time = 0.0; time < parameters.reaction_time + braking;
        time += kStep) {
     const double speed =
@@ -116,10 +116,20 @@ double LeastDistance(const Twist2D& command, const Points& points,
             : std::clamp(1.0 - (time - parameters.reaction_time) / braking, 0.0,
                          1.0);
     pose = Integrate(pose, {speed * command.v, speed * command.w}, kStep);
-    for (const Eigen::Vector2d& point : points) {
-      least = std::min(least, footprint.SignedDistance(pose.Inverse() * point));
-    }
+    visit(time + kStep, pose, speed);
   }
+}
+
+/// The least distance on that motion.
+double LeastDistance(const Twist2D& command, const Points& points,
+                     const SafetyLimiterParameters& parameters) {
+  double least = 1e9;
+  ActOut(command, parameters, [&](double, const Pose2D& pose, double) {
+    for (const Eigen::Vector2d& point : points) {
+      least =
+          std::min(least, Footprint().SignedDistance(pose.Inverse() * point));
+    }
+  });
   return least;
 }
 
@@ -162,26 +172,14 @@ TEST(SafetyLimiterTest, WhatItPassesOnCanAlwaysStop) {
 double LeastDistanceWhileMoving(const Twist2D& command,
                                 const MovingObstacle& mover, double slow,
                                 const SafetyLimiterParameters& parameters) {
-  const Footprint footprint;
-  const double braking =
-      std::max(std::abs(command.v) / parameters.deceleration,
-               std::abs(command.w) / parameters.angular_deceleration);
-  constexpr double kStep = 0.004;
-  Pose2D pose;
   double least = 1e9;
-  for (double time = 0.0; time < parameters.reaction_time + braking;
-       time += kStep) {
-    const double speed =
-        braking == 0.0
-            ? 0.0
-            : std::clamp(1.0 - (time - parameters.reaction_time) / braking, 0.0,
-                         1.0);
-    pose = Integrate(pose, {speed * command.v, speed * command.w}, kStep);
-    if (std::abs(speed * command.v) < slow) continue;
-    least = std::min(least, footprint.SignedDistance(pose.Inverse() *
-                                                     mover.At(time + kStep)) -
-                                mover.radius);
-  }
+  ActOut(
+      command, parameters, [&](double time, const Pose2D& pose, double speed) {
+        if (std::abs(speed * command.v) < slow) return;
+        least = std::min(
+            least, Footprint().SignedDistance(pose.Inverse() * mover.At(time)) -
+                       mover.radius);
+      });
   return least;
 }
 
@@ -212,6 +210,56 @@ TEST(SafetyLimiterTest, IsSlowWhenAMoverReachesIt) {
         << "run " << run;
   }
   EXPECT_GT(limited, kRuns / 20);
+}
+
+/// CanStop, asked at every step of 2 cm of every point.
+bool CanStopAtEveryStep(const Twist2D& command, double hold,
+                        const Points& points,
+                        const SafetyLimiterParameters& parameters) {
+  const Footprint footprint;
+  const double braking =
+      std::max(std::abs(command.v) / parameters.deceleration,
+               std::abs(command.w) / parameters.angular_deceleration);
+  const double duration = hold + 0.5 * braking;
+  const double speed = std::abs(command.v) +
+                       std::abs(command.w) * footprint.CircumscribedRadius();
+  const int steps = static_cast<int>(std::ceil(speed * duration / 0.02));
+  for (int step = 1; step <= steps; ++step) {
+    const Pose2D pose = Integrate(Pose2D(), command, duration * step / steps);
+    for (const Eigen::Vector2d& point : points) {
+      const double required =
+          std::min(parameters.margin, footprint.SignedDistance(point)) - 1e-4;
+      if (footprint.SignedDistance(pose.Inverse() * point) < required) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+TEST(SafetyLimiterTest, SkipsNoStepThatMatters) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-2.0, 2.0);
+  std::uniform_real_distribution<double> speed(-2.0, 2.0);
+  std::uniform_real_distribution<double> turn(-4.0, 4.0);
+  SafetyLimiterParameters parameters = Parameters();
+  parameters.margin = 0.05;
+  const SafetyLimiter limiter(parameters, Footprint());
+  int stoppable = 0;
+  constexpr int kRuns = 20000;
+  for (int run = 0; run < kRuns; ++run) {
+    Points points;
+    for (int i = 0; i < 4; ++i) {
+      points.emplace_back(place(random), place(random));
+    }
+    const Twist2D command{speed(random), turn(random)};
+    const bool can_stop = limiter.CanStop(command, 0.1, points);
+    ASSERT_EQ(can_stop, CanStopAtEveryStep(command, 0.1, points, parameters))
+        << "run " << run;
+    stoppable += can_stop ? 1 : 0;
+  }
+  EXPECT_GT(stoppable, kRuns / 10);
+  EXPECT_LT(stoppable, kRuns - kRuns / 10);
 }
 
 TEST(SafetyLimiterTest, WaitsForACrossingMoverByHand) {

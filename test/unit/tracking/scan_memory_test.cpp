@@ -17,13 +17,15 @@ LaserScan Scan(double stamp, float range) {
 }
 
 TEST(PlacedScanTest, SeesThroughWhatAllBeamsAroundPass) {
-  PlacedScan placed{Scan(0.0, 3.0F), Pose2D(1.0, 0.0, 0.0)};
+  LaserScan scan = Scan(0.0, 3.0F);
+  const Pose2D pose(1.0, 0.0, 0.0);
+  const PlacedScan placed(scan, pose);
   EXPECT_TRUE(placed.SawThrough({3.8, 0.0}, 0.1));    // 2.8 m away
   EXPECT_FALSE(placed.SawThrough({3.95, 0.0}, 0.1));  // less than 0.1 m before
   EXPECT_FALSE(placed.SawThrough({5.0, 0.0}, 0.1));   // hidden
   EXPECT_FALSE(placed.SawThrough({-1.0, 0.0}, 0.1));  // out of its view
-  placed.scan.ranges[11] = 1.0F;                      // the beam beside
-  EXPECT_FALSE(placed.SawThrough({3.8, 0.0}, 0.1));
+  scan.ranges[11] = 1.0F;                             // the beam beside
+  EXPECT_FALSE(PlacedScan(scan, pose).SawThrough({3.8, 0.0}, 0.1));
 }
 
 TEST(ScanMemoryTest, RemembersForItsLength) {
