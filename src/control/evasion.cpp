@@ -92,12 +92,18 @@ Evasion::Outlook Evasion::Play(const Motion& motion,
     twist =
         LimitAcceleration(Steer(motion, pose.theta), twist, reliable, kStep);
     const Twist2D slowed = Slowed(twist, pose, time, scene);
-    pose = Integrate(pose, slowed, kStep);
-    twist.v = slowed.v;
+    const Pose2D next = Integrate(pose, slowed, kStep);
     time += kStep;
-    if (scene.room && scene.room(pose.position()) < least_room) {
-      outlook.free_time = time;
-      break;
+    // Before what stands the robot will be stopped, and what moves comes on.
+    const bool is_stopped =
+        outlook.free_time < kNone ||
+        (scene.room && scene.room(next.position()) < least_room);
+    if (is_stopped) {
+      outlook.free_time = std::min(outlook.free_time, time);
+      twist = Twist2D();
+    } else {
+      pose = next;
+      twist.v = slowed.v;
     }
     for (std::size_t i = 0; i < scene.movers.size(); ++i) {
       const MovingObstacle& mover = scene.movers[i];
