@@ -37,6 +37,13 @@ constexpr double kTurns[] = {0.0,  0.25,  -0.25, 0.5,   -0.5, 0.85, -0.85,
                              1.25, -1.25, 1.75,  -1.75, 2.4,  -2.4, kPi};
 constexpr double kReverseTurns[] = {0.0, 0.4, -0.4, 0.8, -0.8};
 
+RobotLimits ReliableOf(RobotLimits limits) {
+  limits.max_acceleration *= kReliable;
+  limits.max_deceleration *= kReliable;
+  limits.max_angular_acceleration *= kReliable;
+  return limits;
+}
+
 }  // namespace
 
 void EvasionParameters::Read(ParameterReader& reader) {
@@ -57,6 +64,7 @@ Evasion::Evasion(const EvasionParameters& parameters,
     : parameters_(parameters),
       footprint_(footprint),
       limits_(limits),
+      reliable_(ReliableOf(limits)),
       radius_(footprint.CircumscribedRadius()) {}
 
 Evasion::Forecast Evasion::Foresee(const EvasionScene& scene) const {
@@ -113,10 +121,6 @@ std::optional<Evasion::Outlook> Evasion::Play(const Motion& motion,
                                               const EvasionScene& scene,
                                               const Forecast& forecast,
                                               double most) const {
-  RobotLimits reliable = limits_;
-  reliable.max_acceleration *= kReliable;
-  reliable.max_deceleration *= kReliable;
-  reliable.max_angular_acceleration *= kReliable;
   constexpr double kNone = std::numeric_limits<double>::infinity();
   Outlook outlook{kNone, kNone, 0.0, kNone};
   Pose2D pose;
@@ -128,16 +132,22 @@ std::optional<Evasion::Outlook> Evasion::Play(const Motion& motion,
   const double target_distance = scene.target.norm();
   for (std::size_t step = 1; step < forecast.times.size(); ++step) {
     twist =
-        LimitAcceleration(Steer(motion, pose.theta), twist, reliable, kStep);
+        LimitAcceleration(Steer(motion, pose.theta), twist, reliable_, kStep);
     const Twist2D slowed = Slowed(twist, pose, forecast, step - 1);
-    pose = Integrate(pose, slowed, kStep);
-    twist.v = slowed.v;
+    const Pose2D next = Integrate(pose, slowed, kStep);
     const double time = forecast.times[step];
-    outlook.way = target_distance - (scene.target - pose.position()).norm();
-    if (scene.room && scene.room(pose.position()) < least_room) {
-      outlook.free_time = time;
-      break;
+    // Before what stands the robot will be stopped, and what moves comes on.
+    const bool is_stopped =
+        outlook.free_time < kNone ||
+        (scene.room && scene.room(next.position()) < least_room);
+    if (is_stopped) {
+      outlook.free_time = std::min(outlook.free_time, time);
+      twist = Twist2D();
+    } else {
+      pose = next;
+      twist.v = slowed.v;
     }
+    outlook.way = target_distance - (scene.target - pose.position()).norm();
     LookAround(pose.position(), forecast, step, &outlook);
     if (step % kStepsPerJudgement != 0) continue;
     Outlook at_best = outlook;

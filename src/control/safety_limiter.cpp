@@ -11,6 +11,8 @@ namespace {
 /// m that no point of the footprint moves between two poses that are checked.
 constexpr double kSweepStep = 0.02;
 
+constexpr double kShownStep = 0.1;  ///< m likewise, for people.
+
 /// A sweep that would need more, of some hundred metres, is beyond any robot.
 constexpr double kMostSteps = 1e4;
 
@@ -91,14 +93,32 @@ SafetyLimiter::SafetyLimiter(const SafetyLimiterParameters& parameters,
                              const Footprint& footprint)
     : parameters_(parameters), footprint_(footprint) {}
 
-bool SafetyLimiter::CanStop(
-    const Twist2D& command, double hold,
-    const std::vector<Eigen::Vector2d>& obstacles) const {
+double SafetyLimiter::ArcTime(const Twist2D& command, double hold) const {
   const double braking_time =
       std::max(std::abs(command.v) / parameters_.deceleration,
                std::abs(command.w) / parameters_.angular_deceleration);
   // Speed falls to 0 along the same arc, so braking covers half its time's arc.
-  const double duration = hold + 0.5 * braking_time;
+  return hold + 0.5 * braking_time;
+}
+
+std::vector<Pose2D> SafetyLimiter::StoppingMotion(
+    const Twist2D& command) const {
+  const double duration = ArcTime(command, parameters_.reaction_time);
+  const double travel =
+      duration * (std::abs(command.v) +
+                  std::abs(command.w) * footprint_.CircumscribedRadius());
+  const int steps = static_cast<int>(std::ceil(travel / kShownStep));
+  std::vector<Pose2D> motion = {Pose2D()};
+  for (int step = 1; step <= steps; ++step) {
+    motion.push_back(Integrate(Pose2D(), command, duration * step / steps));
+  }
+  return motion;
+}
+
+bool SafetyLimiter::CanStop(
+    const Twist2D& command, double hold,
+    const std::vector<Eigen::Vector2d>& obstacles) const {
+  const double duration = ArcTime(command, hold);
   const double circumscribed = footprint_.CircumscribedRadius();
   const double reach = std::abs(command.v) * duration + circumscribed +
                        parameters_.margin + kSweepStep;

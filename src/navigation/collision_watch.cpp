@@ -9,10 +9,10 @@
 #include "vfh_astar/trajectory/trajectory_fitter.h"
 
 namespace vfh_astar {
-
 namespace {
 
-constexpr double kScanStep = 0.05;  ///< s between two looks at the scan.
+constexpr double kMoverStep = 0.05;  ///< s between two looks at what moves.
+constexpr double kScanStep = 0.05;   ///< s between two looks at the scan.
 
 /// A trajectory at the times at which it is looked at.
 class Looks {
@@ -120,18 +120,29 @@ double TimeToMoverCollision(const Trajectory& trajectory, double from,
                             double horizon, double rate,
                             const Footprint& footprint, double margin,
                             double growth, const Observation& observation) {
-  constexpr double kStep = 0.05;
   if (observation.movers.empty()) return kNever;
   std::vector<MovingObstacle> movers;
   for (const MovingObstacle& mover : observation.movers) {
     movers.push_back(Transform(observation.pose, mover));
   }
-  for (double time = 0.0; time <= horizon; time += kStep) {
+  for (double time = 0.0; time <= horizon; time += kMoverStep) {
     const PointTransform robot_from_map =
         PointTransform::Into(trajectory.Sample(from + rate * time).pose);
     for (const MovingObstacle& mover : movers) {
       const double distance =
           footprint.SignedDistance(robot_from_map * mover.At(time));
+      if (distance < mover.radius + margin + growth * time) return time;
+    }
+  }
+  return kNever;
+}
+
+double TimeToMoverContact(double horizon, const Footprint& footprint,
+                          double margin, double growth,
+                          const Observation& observation) {
+  for (double time = 0.0; time <= horizon; time += kMoverStep) {
+    for (const MovingObstacle& mover : observation.movers) {
+      const double distance = footprint.SignedDistance(mover.At(time));
       if (distance < mover.radius + margin + growth * time) return time;
     }
   }

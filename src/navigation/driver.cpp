@@ -5,6 +5,7 @@
 
 #include "vfh_astar/control/command_shaping.h"
 #include "vfh_astar/control/tracking_law.h"
+#include "vfh_astar/navigation/collision_watch.h"
 
 namespace vfh_astar {
 
@@ -86,9 +87,25 @@ Twist2D Driver::Avoid(const Observation& observation, double duration) {
 Twist2D Driver::Evade(const Observation& observation, double duration) {
   constexpr double kLookAhead = 4.0;  // m
   LetReferenceWait(observation, duration);
+  return EvadeTowards(Target(observation, kLookAhead), observation, duration);
+}
+
+bool Driver::IsMoverComing(const Observation& observation) const {
+  const EvasionParameters& evasion = parameters_.evasion;
+  return TimeToMoverContact(evasion.horizon, parameters_.footprint,
+                            evasion.margin, evasion.growth,
+                            observation) < kNever;
+}
+
+Twist2D Driver::Yield(const Observation& observation, double duration) {
+  return EvadeTowards(Eigen::Vector2d::Zero(), observation, duration);
+}
+
+Twist2D Driver::EvadeTowards(const Eigen::Vector2d& target,
+                             const Observation& observation, double duration) {
   EvasionScene scene;
   scene.twist = previous_;
-  scene.target = Target(observation, kLookAhead);
+  scene.target = target;
   scene.movers = observation.movers;
   if (observation.map != nullptr) {
     // Asked thousands of times: the turn is worked out once.

@@ -29,7 +29,8 @@ bool FailureRecord::MayPass(double time, double patience) const {
 }
 
 bool FailureRecord::MovingMayHelp() const {
-  return outcome_ == Outcome::kStuck || outcome_ == Outcome::kStartBlocked ||
+  return outcome_ == Outcome::kStuck || outcome_ == Outcome::kOscillation ||
+         outcome_ == Outcome::kStartBlocked ||
          outcome_ == Outcome::kNoTrajectory;
 }
 

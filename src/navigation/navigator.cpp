@@ -10,6 +10,7 @@
 #include "vfh_astar/navigation/arrival.h"
 #include "vfh_astar/navigation/driver.h"
 #include "vfh_astar/navigation/failure_record.h"
+#include "vfh_astar/navigation/oscillation_monitor.h"
 #include "vfh_astar/navigation/recovery.h"
 #include "vfh_astar/navigation/stop_burst.h"
 #include "vfh_astar/navigation/trajectory_watch.h"
@@ -42,7 +43,8 @@ class Navigator::Impl {
         driver_(parameters_),
         schedule_(parameters.replan.period, parameters.replan.timeout),
         watch_(parameters_),
-        recovery_(parameters_.recovery, parameters_.footprint) {}
+        recovery_(parameters_.recovery, parameters_.footprint),
+        oscillation_(parameters_.oscillation) {}
 
   void Tell(Order order) { orders_.push_back(std::move(order)); }
   void Answer(MotionAnswer answer) { answers_.push_back(std::move(answer)); }
@@ -58,13 +60,15 @@ class Navigator::Impl {
     time_ = input.time;
     TrackObstacles(input, tracker_);
     observation_ = Observe(input, parameters_, &tracker_);
-    const bool was_driving = IsDriving(machine_.state());
+    const bool was_moving = MayMove();
 
     TakeOrders();
     TakeAnswers();
     WatchFault();
     if (!observation_.fault) Watch();
-    if (was_driving && !IsDriving(machine_.state())) stop_.Begin(*time_);
+    WatchOscillation(duration);
+    WatchYielding();
+    if (was_moving && !MayMove()) stop_.Begin(*time_);
 
     NavigatorOutput output;
     output.command = Command(duration, &output.status.limited);
@@ -84,12 +88,15 @@ class Navigator::Impl {
   void Watch();
   void WatchTrajectory();
   void WatchRecovery();
+  void WatchOscillation(double duration);
+  void WatchYielding();
   void Raise(Event event, const std::string& detail = "");
   void Perform(Action action);
   void EndGoal(Outcome outcome, const std::string& message);
   std::string SuccessMessage() const;
   void ForgetTrajectory();
   GuardValues Guards() const;
+  bool MayMove() const { return IsDriving(machine_.state()) || is_yielding_; }
   std::optional<Twist2D> Command(double duration, bool* limited);
   Twist2D Wanted(double duration);
   std::optional<MotionRequest> Request();
@@ -103,6 +110,7 @@ class Navigator::Impl {
   MotionRequestSchedule schedule_;
   TrajectoryWatch watch_;
   Recovery recovery_;
+  OscillationMonitor oscillation_;
 
   std::deque<Order> orders_;
   std::deque<MotionAnswer> answers_;
@@ -121,6 +129,7 @@ class Navigator::Impl {
   double planning_since_ = 0.0;
   std::optional<double> fault_since_;
   std::optional<double> held_up_since_;
+  bool is_yielding_ = false;  ///< PLANNING, and something comes at the robot.
   StopBurst stop_;
   Trajectory answer_;
 };
@@ -141,6 +150,7 @@ void Navigator::Impl::TakeOrders() {
     replans_ = 0;
     failure_.Clear();
     recovery_.ResetAttempts();
+    oscillation_.Reset();
     Raise(Event::kGoal);
   }
 }
@@ -214,6 +224,31 @@ void Navigator::Impl::WatchTrajectory() {
 void Navigator::Impl::WatchRecovery() {
   const bool held_up = held_up_since_ && *time_ - *held_up_since_ > kHeldUp;
   if (held_up || !recovery_.Update(observation_)) Raise(Event::kRecovered);
+}
+
+void Navigator::Impl::WatchOscillation(double duration) {
+  if (!HasGoal(machine_.state()) || machine_.state() == State::kPaused) {
+    oscillation_.Reset();
+    return;
+  }
+  if (observation_.fault) return;
+  // To dodge what moves is no oscillation.
+  const bool is_moving = IsDriving(machine_.state()) &&
+                         !watch_.avoiding_movers() &&
+                         !IsStanding(observation_.twist, parameters_.goal);
+  oscillation_.Move(observation_.pose.position(), is_moving, duration);
+  if (!oscillation_.IsOscillating() || machine_.state() == State::kRecovering) {
+    return;
+  }
+  oscillation_.Reset();
+  failure_.Note(Outcome::kOscillation,
+                "the robot moved to and fro without leaving its place");
+  Raise(Event::kOscillation);
+}
+
+void Navigator::Impl::WatchYielding() {
+  is_yielding_ = machine_.state() == State::kPlanning && !observation_.fault &&
+                 driver_.IsMoverComing(observation_);
 }
 
 GuardValues Navigator::Impl::Guards() const {
@@ -313,7 +348,7 @@ std::optional<Twist2D> Navigator::Impl::Command(double duration,
                                                 bool* limited) {
   const bool standing =
       !observation_.fault && IsStanding(observation_.twist, parameters_.goal);
-  if (!IsDriving(machine_.state())) {
+  if (!MayMove()) {
     driver_.Stopped();
     return stop_.Update(*time_, standing);
   }
@@ -339,6 +374,7 @@ Twist2D Navigator::Impl::Wanted(double duration) {
   if (machine_.state() == State::kRecovering) {
     return recovery_.Update(observation_).value_or(Twist2D());
   }
+  if (is_yielding_) return driver_.Yield(observation_, duration);
   if (watch_.avoiding_movers()) return driver_.Evade(observation_, duration);
   if (watch_.avoiding()) return driver_.Avoid(observation_, duration);
   const bool hold_position = driver_.follower().ended() && watch_.at_end();

@@ -45,8 +45,14 @@ void RecoveryParameters::Read(ParameterReader& reader) {
   reader.Integer("max_attempts", max_attempts, 0, 100);
 }
 
+void OscillationParameters::Read(ParameterReader& reader) {
+  reader.Number("time", time, 0.0, 600.0);
+  reader.Number("distance", distance, 0.05, 10.0);
+}
+
 void WatchdogParameters::Read(ParameterReader& reader) {
   reader.Number("odometry_timeout", odometry_timeout, 0.02, 5.0);
+  reader.Number("transform_timeout", transform_timeout, 0.05, 60.0);
   reader.Number("fault_patience", fault_patience, 0.1, 60.0);
 }
 
@@ -64,6 +70,7 @@ void NavigatorParameters::Read(ParameterReader& reader) {
   reader.Group("replan", replan);
   reader.Group("avoidance", avoidance);
   reader.Group("recovery", recovery);
+  reader.Group("oscillation", oscillation);
   reader.Group("watchdog", watchdog);
 }
 

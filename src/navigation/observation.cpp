@@ -32,6 +32,14 @@ std::optional<Fault> FindFault(const NavigatorInput& input,
     return Fault{Outcome::kTransformError,
                  "there is no transform from map to odom"};
   }
+  const double transform_timeout = parameters.watchdog.transform_timeout;
+  if (input.map_from_odom_stamp &&
+      input.time - *input.map_from_odom_stamp > transform_timeout) {
+    return Fault{
+        Outcome::kTransformError,
+        AgeMessage("the transform from map to odom",
+                   input.time - *input.map_from_odom_stamp, transform_timeout)};
+  }
   if (input.is_lost) {
     return Fault{Outcome::kLocalizationLost,
                  "the scans do not fit the map where the robot should be"};

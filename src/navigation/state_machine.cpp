@@ -42,6 +42,10 @@ std::vector<Transition> BuildTable() {
       {S::kTracking, E::kStuck, G::kMayRecover, S::kRecovering,
        A::kStartRecovery},
       {S::kTracking, E::kStuck, G::kAlways, S::kAborted, A::kReportFailure},
+      {S::kTracking, E::kOscillation, G::kMayRecover, S::kRecovering,
+       A::kStartRecovery},
+      {S::kTracking, E::kOscillation, G::kAlways, S::kAborted,
+       A::kReportFailure},
 
       // VFH drives.
       {S::kAvoiding, E::kArrived, G::kAlways, S::kSucceeded, A::kReportSuccess},
@@ -53,6 +57,10 @@ std::vector<Transition> BuildTable() {
       {S::kAvoiding, E::kStuck, G::kMayRecover, S::kRecovering,
        A::kStartRecovery},
       {S::kAvoiding, E::kStuck, G::kAlways, S::kAborted, A::kReportFailure},
+      {S::kAvoiding, E::kOscillation, G::kMayRecover, S::kRecovering,
+       A::kStartRecovery},
+      {S::kAvoiding, E::kOscillation, G::kAlways, S::kAborted,
+       A::kReportFailure},
 
       // The old trajectory drives while a new one is made.
       {S::kReplanning, E::kTrajectory, G::kAlways, S::kTracking, A::kFollow},
@@ -69,6 +77,10 @@ std::vector<Transition> BuildTable() {
       {S::kReplanning, E::kStuck, G::kMayRecover, S::kRecovering,
        A::kStartRecovery},
       {S::kReplanning, E::kStuck, G::kAlways, S::kAborted, A::kReportFailure},
+      {S::kReplanning, E::kOscillation, G::kMayRecover, S::kRecovering,
+       A::kStartRecovery},
+      {S::kReplanning, E::kOscillation, G::kAlways, S::kAborted,
+       A::kReportFailure},
 
       // A recovery ends by itself or by its time limit, and a plan follows.
       {S::kRecovering, E::kRecovered, G::kAlways, S::kPlanning,
@@ -181,6 +193,8 @@ const char* ToString(Event event) {
       return "goal reached";
     case Event::kStuck:
       return "no progress";
+    case Event::kOscillation:
+      return "to and fro without progress";
     case Event::kRecovered:
       return "recovery done";
     case Event::kFault:

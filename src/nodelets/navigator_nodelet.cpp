@@ -16,6 +16,7 @@
 #include "vfh_astar/ros/lockstep.h"
 #include "vfh_astar/ros/message_error.h"
 #include "vfh_astar/ros/motion_messages.h"
+#include "vfh_astar/ros/navigation_display.h"
 #include "vfh_astar/ros/navigation_messages.h"
 #include "vfh_astar/ros/reconfiguration.h"
 #include "vfh_astar/ros/robot_inputs.h"
@@ -76,10 +77,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
     command_publisher_ = node.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     query_publisher_ = node.advertise<MotionQuery>("plan_request", 10);
     state_publisher_ = node.advertise<NavigationState>("navigation_state", 10);
-    footprint_publisher_ =
-        node.advertise<geometry_msgs::PolygonStamped>("footprint", 1);
-    histogram_publisher_ =
-        node.advertise<visualization_msgs::MarkerArray>("vfh_histogram", 1);
+    display_ = std::make_unique<NavigationDisplay>(node, parameters_.frames);
   }
 
   void Listen() {
@@ -197,7 +195,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
     Act(output);
     ReportPose(input, time);
     AnswerScan(output);
-    Show(output.status, time);
+    display_->Show(output, parameters_.navigator, time);
   }
 
   void AnswerScan(const NavigatorOutput& output) {
@@ -253,28 +251,6 @@ class NavigatorNodelet : public nodelet::Nodelet {
     goals_->Report(pose);
   }
 
-  void Show(const NavigatorStatus& status, const ros::Time& time) {
-    std_msgs::Header in_base;
-    in_base.stamp = time;
-    in_base.frame_id = parameters_.frames.base_frame;
-    if (footprint_publisher_.getNumSubscribers() > 0) {
-      footprint_publisher_.publish(
-          ToPolygonMessage(parameters_.navigator.footprint, in_base));
-    }
-    ShowHistogram(status, in_base);
-  }
-
-  void ShowHistogram(const NavigatorStatus& status,
-                     const std_msgs::Header& in_base) {
-    const bool is_avoiding = !status.vfh_histogram.empty();
-    if (is_avoiding) {
-      histogram_publisher_.publish(ToHistogramMarkers(status, in_base));
-    } else if (is_histogram_shown_) {
-      histogram_publisher_.publish(ClearedMarkers(in_base));
-    }
-    is_histogram_shown_ = is_avoiding;
-  }
-
   NavigatorNodeletParameters parameters_;
   ros::Duration period_;
   std::unique_ptr<Navigator> navigator_;
@@ -284,13 +260,11 @@ class NavigatorNodelet : public nodelet::Nodelet {
   ros::Time last_scan_;  ///< the newest scan's stamp at the last cycle.
   ros::Time query_stamp_;
   bool is_moving_ = false;  ///< by the last command.
-  bool is_histogram_shown_ = false;
 
   ros::Publisher command_publisher_;
   ros::Publisher query_publisher_;
   ros::Publisher state_publisher_;
-  ros::Publisher footprint_publisher_;
-  ros::Publisher histogram_publisher_;
+  std::unique_ptr<NavigationDisplay> display_;
   std::unique_ptr<RobotInputs> inputs_;
   std::unique_ptr<CycleMonitor> monitor_;
   std::unique_ptr<GoalServer> goals_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "vfh_astar/ros/geometry_messages.h"
 
@@ -12,13 +13,15 @@ namespace {
 constexpr double kInnerRadius = 0.5;  // m, where the bars begin.
 constexpr double kBarLength = 1.0;    // m, of a sector with density 1.
 constexpr double kBarWidth = 0.03;    // m
+constexpr double kDiscHeight = 0.02;  // m, of what moves.
+constexpr double kLineWidth = 0.015;  // m, of the stopping zone's outlines.
 constexpr double kLift = 0.05;        // m above the ground.
 
-visualization_msgs::Marker NewMarker(const std_msgs::Header& header, int id,
-                                     int type) {
+visualization_msgs::Marker NewMarker(const std_msgs::Header& header,
+                                     const char* name, int id, int type) {
   visualization_msgs::Marker marker;
   marker.header = header;
-  marker.ns = "vfh";
+  marker.ns = name;
   marker.id = id;
   marker.type = type;
   marker.action = visualization_msgs::Marker::ADD;
@@ -39,7 +42,7 @@ std_msgs::ColorRGBA Colour(float r, float g, float b) {
 visualization_msgs::Marker Bars(const NavigatorStatus& status,
                                 const std_msgs::Header& header) {
   visualization_msgs::Marker bars =
-      NewMarker(header, 0, visualization_msgs::Marker::LINE_LIST);
+      NewMarker(header, "vfh", 0, visualization_msgs::Marker::LINE_LIST);
   bars.scale.x = kBarWidth;
   const std::size_t sectors = status.vfh_histogram.size();
   for (std::size_t i = 0; i < sectors; ++i) {
@@ -61,13 +64,37 @@ visualization_msgs::Marker Bars(const NavigatorStatus& status,
 visualization_msgs::Marker DirectionArrow(const NavigatorStatus& status,
                                           const std_msgs::Header& header) {
   visualization_msgs::Marker arrow =
-      NewMarker(header, 1, visualization_msgs::Marker::ARROW);
+      NewMarker(header, "vfh", 1, visualization_msgs::Marker::ARROW);
   arrow.pose = ToPoseMessage({0.0, 0.0, status.vfh_direction});
   arrow.pose.position.z = kLift;
   arrow.scale.x = kInnerRadius + kBarLength;
   arrow.scale.y = 0.05;
   arrow.scale.z = 0.05;
   arrow.color = Colour(1.0f, 0.8f, 0.0f);
+  return arrow;
+}
+
+visualization_msgs::Marker Disc(const MovingObstacle& mover,
+                                const std_msgs::Header& header, int id) {
+  visualization_msgs::Marker disc =
+      NewMarker(header, "disc", id, visualization_msgs::Marker::CYLINDER);
+  disc.pose.position = ToPointMessage(mover.position);
+  disc.pose.position.z = kLift;
+  disc.scale.x = disc.scale.y = 2.0 * mover.radius;
+  disc.scale.z = kDiscHeight;
+  disc.color = Colour(0.9f, 0.4f, 0.9f);
+  return disc;
+}
+
+visualization_msgs::Marker WayArrow(const MovingObstacle& mover,
+                                    const std_msgs::Header& header, int id) {
+  visualization_msgs::Marker arrow =
+      NewMarker(header, "velocity", id, visualization_msgs::Marker::ARROW);
+  arrow.points = {ToPointMessage(mover.position),
+                  ToPointMessage(mover.At(1.0))};
+  arrow.scale.x = 0.05;  // of the shaft,
+  arrow.scale.y = 0.12;  // and of the head
+  arrow.color = Colour(0.9f, 0.1f, 0.9f);
   return arrow;
 }
 
@@ -115,10 +142,41 @@ visualization_msgs::MarkerArray ToHistogramMarkers(
   return markers;
 }
 
+visualization_msgs::MarkerArray ToTrackMarkers(
+    const std::vector<MovingObstacle>& movers, const std_msgs::Header& header) {
+  visualization_msgs::MarkerArray markers = ClearedMarkers(header);
+  for (std::size_t i = 0; i < movers.size(); ++i) {
+    const int id = static_cast<int>(i);
+    markers.markers.push_back(Disc(movers[i], header, id));
+    markers.markers.push_back(WayArrow(movers[i], header, id));
+  }
+  return markers;
+}
+
+visualization_msgs::MarkerArray ToStoppingZoneMarkers(
+    const std::vector<Pose2D>& motion, const Footprint& footprint, bool limited,
+    const std_msgs::Header& header) {
+  visualization_msgs::Marker zone = NewMarker(
+      header, "stopping_zone", 0, visualization_msgs::Marker::LINE_LIST);
+  zone.scale.x = kLineWidth;
+  zone.color = limited ? Colour(0.9f, 0.1f, 0.1f) : Colour(0.1f, 0.8f, 0.2f);
+  const auto corners = footprint.Corners();
+  for (const Pose2D& pose : motion) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::size_t next = (i + 1) % corners.size();
+      zone.points.push_back(ToPointMessage(pose * corners[i]));
+      zone.points.push_back(ToPointMessage(pose * corners[next]));
+    }
+  }
+  visualization_msgs::MarkerArray markers;
+  markers.markers.push_back(std::move(zone));
+  return markers;
+}
+
 visualization_msgs::MarkerArray ClearedMarkers(const std_msgs::Header& header) {
   visualization_msgs::MarkerArray markers;
   markers.markers.push_back(
-      NewMarker(header, 0, visualization_msgs::Marker::ARROW));
+      NewMarker(header, "", 0, visualization_msgs::Marker::ARROW));
   markers.markers.back().action = visualization_msgs::Marker::DELETEALL;
   return markers;
 }

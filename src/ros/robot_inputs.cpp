@@ -133,9 +133,14 @@ NavigatorInput RobotInputs::At(const ros::Time& time) const {
       time - localization_stamp_ < ros::Duration(kLocalizationHolds);
   if (has_mapper) {
     input.map_from_odom = map_from_odom_;
+    input.map_from_odom_stamp = localization_stamp_.toSec();
     input.is_lost = is_lost_;
   } else if (const auto transform = MapFromOdom()) {
     input.map_from_odom = ToPose2D(transform->transform);
+    // tf gives what is static no stamp.
+    if (!transform->header.stamp.isZero()) {
+      input.map_from_odom_stamp = transform->header.stamp.toSec();
+    }
   }
   input.odometry_stamp = odometry_stamp_;
   input.odom_from_base = odom_from_base_;

@@ -124,7 +124,8 @@ class Evasion {
   EvasionParameters parameters_;
   Footprint footprint_;
   RobotLimits limits_;
-  double radius_;  ///< m, of the circle around the footprint.
+  RobotLimits reliable_;  ///< what is counted on of them.
+  double radius_;         ///< m, of the circle around the footprint.
   std::optional<double> last_heading_;
 };
 

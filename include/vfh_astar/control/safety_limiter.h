@@ -76,12 +76,20 @@ class SafetyLimiter {
   /// either way.
   double Reach(const Twist2D& fastest) const;
 
+  /// The motion that is checked for a command: where the robot is, in its frame
+  /// now, from the present pose until it stands, in steps of 0.1 m (of any
+  /// point of the footprint) at most. The zone that must be free is the
+  /// footprint, grown by the margin, at all of them.
+  std::vector<Pose2D> StoppingMotion(const Twist2D& command) const;
+
   /// True for a command that passes both for the reaction time.
   bool IsSafe(const Twist2D& command,
               const std::vector<Eigen::Vector2d>& obstacles,
               const std::vector<MovingObstacle>& movers) const;
 
  private:
+  /// s for which the command's arc is driven when it is held for `hold` s.
+  double ArcTime(const Twist2D& command, double hold) const;
   bool IsReadyForTurn(const Twist2D& command, double hold,
                       const MovingObstacle& mover) const;
   Twist2D ScaleDown(const Twist2D& command,

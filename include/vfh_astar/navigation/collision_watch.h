@@ -30,6 +30,11 @@ double TimeToMoverCollision(const Trajectory& trajectory, double from,
                             const Footprint& footprint, double margin,
                             double growth, const Observation& observation);
 
+/// The same for a robot that stands where it is; counted from now.
+double TimeToMoverContact(double horizon, const Footprint& footprint,
+                          double margin, double growth,
+                          const Observation& observation);
+
 }  // namespace vfh_astar
 
 #endif  // VFH_ASTAR_NAVIGATION_COLLISION_WATCH_H_

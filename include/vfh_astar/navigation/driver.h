@@ -46,6 +46,13 @@ class Driver {
   /// likewise.
   Twist2D Evade(const Observation& observation, double duration);
 
+  /// True when something that moves would come as near to the robot, if that
+  /// stood, as evasion does not let it.
+  bool IsMoverComing(const Observation& observation) const;
+
+  /// Out of the way of what moves, and no farther; without a trajectory.
+  Twist2D Yield(const Observation& observation, double duration);
+
   /// Begins anew with avoiding.
   void ResetAvoidance() {
     vfh_.Reset();
@@ -68,6 +75,9 @@ class Driver {
 
  private:
   double ReferenceRate(double lag) const;
+  /// The search's command on the way to `target` (m, robot frame).
+  Twist2D EvadeTowards(const Eigen::Vector2d& target,
+                       const Observation& observation, double duration);
   /// Within the limits on speed and acceleration.
   Twist2D Shape(const Twist2D& wanted, double duration) const;
   /// The hits that may be in the way of what the robot can do next.

@@ -70,8 +70,19 @@ struct RecoveryParameters {
   void Read(ParameterReader& reader);
 };
 
+struct OscillationParameters {
+  double time = 10.0;     ///< s of moving, not counting evasion of what moves,
+                          ///< within
+  double distance = 0.5;  ///< m of one place that are oscillation; time 0: no
+                          ///< motion is.
+
+  void Read(ParameterReader& reader);
+};
+
 struct WatchdogParameters {
   double odometry_timeout = 0.25;  ///< s; older odometry stops the robot.
+  double transform_timeout = 1.0;  ///< s; an older transform from map to odom
+                                   ///< stops it too; a static one has no age.
   double fault_patience = 3.0;     ///< s without scan, odometry or transform
                                    ///< after which the goal is given up.
 
@@ -92,6 +103,7 @@ struct NavigatorParameters {
   ReplanParameters replan;
   AvoidanceParameters avoidance;
   RecoveryParameters recovery;
+  OscillationParameters oscillation;
   WatchdogParameters watchdog;
 
   void Read(ParameterReader& reader);

@@ -19,7 +19,9 @@ namespace vfh_astar {
 struct NavigatorInput {
   double time = 0.0;  ///< now.
 
-  std::optional<Pose2D> map_from_odom;   ///< nothing while tf lacks it.
+  std::optional<Pose2D> map_from_odom;        ///< nothing while tf lacks it.
+  std::optional<double> map_from_odom_stamp;  ///< until when it is known to
+                                              ///< hold; nothing: for ever.
   bool is_lost = false;                  ///< nobody knows where in the map.
   std::optional<double> odometry_stamp;  ///< nothing before the first message.
   Pose2D odom_from_base;                 ///< at odometry_stamp.

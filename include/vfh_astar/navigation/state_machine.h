@@ -23,17 +23,18 @@ enum class Event {
   kCancel,  ///< the goal is withdrawn.
   kPause,
   kResume,
-  kTrajectory,  ///< the answer to the latest request: a trajectory.
-  kPlanFailed,  ///< the answer to the latest request: none, and why.
-  kObstacle,    ///< something unplanned is too close ahead.
-  kClear,       ///< the trajectory ahead is free and can be joined.
-  kDeviation,   ///< the tracking error outgrew its threshold.
-  kBlocked,     ///< the trajectory has been blocked for more than a moment.
-  kExpired,     ///< the trajectory has ended, but not at the goal.
-  kArrived,     ///< at the goal, and standing.
-  kStuck,       ///< no progress for too long.
-  kRecovered,   ///< the recovery manoeuvre is done.
-  kFault,       ///< scan, odometry or transform missing for too long.
+  kTrajectory,   ///< the answer to the latest request: a trajectory.
+  kPlanFailed,   ///< the answer to the latest request: none, and why.
+  kObstacle,     ///< something unplanned is too close ahead.
+  kClear,        ///< the trajectory ahead is free and can be joined.
+  kDeviation,    ///< the tracking error outgrew its threshold.
+  kBlocked,      ///< the trajectory has been blocked for more than a moment.
+  kExpired,      ///< the trajectory has ended, but not at the goal.
+  kArrived,      ///< at the goal, and standing.
+  kStuck,        ///< no progress for too long.
+  kOscillation,  ///< moving for too long without leaving the place.
+  kRecovered,    ///< the recovery manoeuvre is done.
+  kFault,        ///< scan, odometry or transform missing for too long.
 };
 
 /// What has to hold for a transition besides its event.

@@ -118,5 +118,15 @@ TEST_F(EvasionTest, OfRandomMoversMostCanBeEvaded) {
   EXPECT_LE(touched, 2);
 }
 
+TEST_F(EvasionTest, WhatStandsDoesNotHideWhatComes) {
+  EvasionScene scene = Scene({0.0, 0.0}, {{{0.0, 2.0}, {0.0, -1.0}, 0.4}});
+  // Wherever it goes there is less room: every drive ends with its first step.
+  scene.room = [](const Eigen::Vector2d& point) {
+    return point.norm() < 0.01 ? 0.3 : 0.2;
+  };
+  // 2 m less the radii and the margin, at 1 m/s and what the margin grows by.
+  EXPECT_LT(evasion_.Update(scene).contact_time, 1.5);
+}
+
 }  // namespace
 }  // namespace vfh_astar

@@ -37,6 +37,19 @@ TEST(SafetyLimiterTest, TheBrakingDistanceByHand) {
   EXPECT_TRUE(limiter.CanStop({2.0, 0.0}, 0.1, {{reach - 0.1, 0.22}}));
 }
 
+TEST(SafetyLimiterTest, TheStoppingMotionEndsWhereTheRobotStands) {
+  const SafetyLimiter limiter(Parameters(), Footprint());
+  const std::vector<Pose2D> ahead = limiter.StoppingMotion({2.0, 0.0});
+  ASSERT_EQ(ahead.size(), 13u) << "1.2 m in steps of 0.1 m";
+  EXPECT_EQ(ahead.front().x, 0.0);
+  EXPECT_NEAR(ahead.back().x, 1.2, 1e-12);
+  // Turning: 0.1 s and half of 4 / 10 s, at 4 rad/s.
+  const std::vector<Pose2D> turn = limiter.StoppingMotion({0.0, 4.0});
+  EXPECT_NEAR(turn.back().theta, 1.2, 1e-12);
+  EXPECT_EQ(turn.back().x, 0.0);
+  EXPECT_EQ(limiter.StoppingMotion({}).size(), 1u);
+}
+
 TEST(SafetyLimiterTest, SlowsToWhatTheDistanceAllows) {
   const SafetyLimiter limiter(Parameters(), Footprint());
   // 0.3 m away: v * 0.1 + v^2 / 4 = 0.3 gives v = 0.9136.

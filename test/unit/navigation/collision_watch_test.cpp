@@ -122,5 +122,26 @@ TEST(TimeToMapCollisionTest, ByHand) {
       kNever);
 }
 
+TEST(TimeToMoverContactTest, ByHand) {
+  const Footprint footprint{0.5, 0.5, 0.2};
+  Observation observation;
+  EXPECT_EQ(TimeToMoverContact(5.0, footprint, 0.1, 0.0, observation), kNever);
+  MovingObstacle mover;
+  mover.position = {4.0, 0.0};
+  mover.velocity = {-1.0, 0.0};
+  mover.radius = 0.4;
+  observation.movers = {mover};
+  // From 4 m to 0.5 + 0.4 + 0.1 m at 1 m/s.
+  EXPECT_NEAR(TimeToMoverContact(5.0, footprint, 0.1, 0.0, observation), 3.0,
+              0.051);
+  // With growth g: 4 - t = 1 + 0.2 t.
+  EXPECT_NEAR(TimeToMoverContact(5.0, footprint, 0.1, 0.2, observation), 2.5,
+              0.051);
+  EXPECT_EQ(TimeToMoverContact(2.0, footprint, 0.1, 0.0, observation), kNever);
+  observation.movers[0].position.y() = 1.0;
+  EXPECT_EQ(TimeToMoverContact(5.0, footprint, 0.1, 0.0, observation), kNever)
+      << "it passes";
+}
+
 }  // namespace
 }  // namespace vfh_astar

@@ -48,6 +48,7 @@ class NavigatorTest : public testing::Test {
     NavigatorInput input;
     input.time = time_;
     if (has_transform_) input.map_from_odom = Pose2D();
+    input.map_from_odom_stamp = transform_stamp_;
     input.odometry_stamp = time_;
     input.odom_from_base = pose_;
     input.twist = twist_;
@@ -93,6 +94,7 @@ class NavigatorTest : public testing::Test {
   bool has_scan_ = true;
   bool ever_scanned_ = true;
   bool has_transform_ = true;
+  std::optional<double> transform_stamp_;
   std::optional<Trajectory> answer_;
   Outcome failure_ = Outcome::kSuccess;
   double time_ = 100.0;
@@ -302,6 +304,65 @@ TEST_F(NavigatorTest, AbortsWhenStuckAndRecoveriesAreUsedUp) {
   navigator_.SetGoal("a", {3.0, 0.0, 0.0});
   const GoalResult result = StepUntilResult(120.0);
   EXPECT_EQ(result.outcome, Outcome::kStuck);
+}
+
+TEST_F(NavigatorTest, ATransformThatNobodyRenewsStopsTheRobotAndEndsTheGoal) {
+  Drive(Straight(0.0, 3.0, 4.0), 2.0);
+  ASSERT_GT(twist_.v, 0.5);
+  transform_stamp_ = time_;
+  StepFor(1.1);
+  EXPECT_EQ(twist_.v, 0.0);
+  EXPECT_TRUE(HasGoal(Step().status.state));
+  const GoalResult result = StepUntilResult(5.0);
+  EXPECT_EQ(result.outcome, Outcome::kTransformError);
+  EXPECT_NE(result.message.find("old"), std::string::npos);
+}
+
+TEST_F(NavigatorTest, ToAndFroWithoutProgressEndsAsOscillation) {
+  std::vector<TrajectoryPiece> swings;
+  for (int i = 0; i < 30; ++i) {
+    swings.push_back(Straight(0.0, 0.4, 1.0).pieces()[0]);
+    swings.push_back(Straight(0.4, 0.0, 1.0).pieces()[0]);
+    swings.back().kind = TrajectoryPiece::Kind::kReverse;
+  }
+  answer_ = Trajectory(swings);
+  navigator_.SetGoal("a", {3.0, 0.0, 0.0});
+  const double start = time_;
+  const GoalResult result = StepUntilResult(300.0);
+  EXPECT_EQ(result.outcome, Outcome::kOscillation);
+  EXPECT_GT(time_ - start, 20.0) << "recoveries come first";
+  EXPECT_EQ(twist_.v, 0.0);
+}
+
+TEST_F(NavigatorTest, YieldsToWhatMovesWhilePlanning) {
+  failure_ = Outcome::kNoPath;
+  const double radius = 0.3;
+  double nearest = std::numeric_limits<double>::infinity();
+  State state = State::kIdle;
+  navigator_.SetGoal("a", {3.0, 0.0, 0.0});
+  for (double t = 0.0; t < 2.5; t += kPeriod) {
+    // From 3 m at the left at 1 m/s, it would run over the robot.
+    const Eigen::Vector2d centre(0.0, 3.0 - 1.0 * t);
+    world_.clear();
+    for (double angle = -kPi; angle < kPi; angle += 0.02) {
+      world_.push_back(
+          centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    nearest = std::min(
+        nearest, Footprint().SignedDistance(pose_.Inverse() * centre) - radius);
+    const NavigatorOutput output = Step();
+    if (output.request) {
+      navigator_.PlanFailed(output.request->id, failure_, "for the test");
+    }
+    state = output.status.state;
+    ASSERT_EQ(state, State::kPlanning);
+  }
+  EXPECT_GT(nearest, 0.05);
+  EXPECT_GT(pose_.position().norm(), 0.3) << "out of its way";
+  navigator_.Cancel();
+  EXPECT_EQ(Step().command->v, 0.0);
+  StepFor(1.0);
+  EXPECT_EQ(twist_.v, 0.0) << "nothing yields without a goal";
 }
 
 }  // namespace

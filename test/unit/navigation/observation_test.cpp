@@ -88,6 +88,27 @@ TEST_F(ObservationTest, NamesWhatIsTooOld) {
   EXPECT_EQ(Observe(input_, parameters_).fault->outcome, Outcome::kNoOdometry);
 }
 
+TEST_F(ObservationTest, ATransformThatNobodyRenewsIsTooOld) {
+  input_.map_from_odom_stamp = 9.01;
+  EXPECT_FALSE(Observe(input_, parameters_).fault.has_value());
+  input_.map_from_odom_stamp = 8.5;
+  const Observation observation = Observe(input_, parameters_);
+  ASSERT_TRUE(observation.fault.has_value());
+  EXPECT_EQ(observation.fault->outcome, Outcome::kTransformError);
+  EXPECT_EQ(observation.fault->message,
+            "the transform from map to odom is 1.50 s old; expected 1.00 s or "
+            "less");
+  parameters_.watchdog.transform_timeout = 2.0;
+  EXPECT_FALSE(Observe(input_, parameters_).fault.has_value());
+}
+
+TEST_F(ObservationTest, ATransformMayBeDatedAheadOrForEver) {
+  input_.map_from_odom_stamp = 10.05;
+  EXPECT_FALSE(Observe(input_, parameters_).fault.has_value());
+  input_.map_from_odom_stamp.reset();
+  EXPECT_FALSE(Observe(input_, parameters_).fault.has_value());
+}
+
 TEST_F(ObservationTest, RefusesOdometryFromTheFuture) {
   input_.odometry_stamp = 40.0;
   const Observation observation = Observe(input_, parameters_);

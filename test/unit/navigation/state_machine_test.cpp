@@ -70,6 +70,10 @@ const Row kRows[] = {
      Action::kStartRecovery},
     {State::kTracking, Event::kStuck, kNothing, State::kAborted,
      Action::kReportFailure},
+    {State::kTracking, Event::kOscillation, kRecover, State::kRecovering,
+     Action::kStartRecovery},
+    {State::kTracking, Event::kOscillation, kNothing, State::kAborted,
+     Action::kReportFailure},
 
     {State::kAvoiding, Event::kGoal, kNothing, State::kReplanning,
      Action::kRequestPlan},
@@ -91,6 +95,10 @@ const Row kRows[] = {
     {State::kAvoiding, Event::kStuck, kRecover, State::kRecovering,
      Action::kStartRecovery},
     {State::kAvoiding, Event::kStuck, kNothing, State::kAborted,
+     Action::kReportFailure},
+    {State::kAvoiding, Event::kOscillation, kRecover, State::kRecovering,
+     Action::kStartRecovery},
+    {State::kAvoiding, Event::kOscillation, kNothing, State::kAborted,
      Action::kReportFailure},
 
     {State::kReplanning, Event::kGoal, kNothing, State::kReplanning,
@@ -116,6 +124,10 @@ const Row kRows[] = {
     {State::kReplanning, Event::kStuck, kRecover, State::kRecovering,
      Action::kStartRecovery},
     {State::kReplanning, Event::kStuck, kNothing, State::kAborted,
+     Action::kReportFailure},
+    {State::kReplanning, Event::kOscillation, kRecover, State::kRecovering,
+     Action::kStartRecovery},
+    {State::kReplanning, Event::kOscillation, kNothing, State::kAborted,
      Action::kReportFailure},
 
     {State::kRecovering, Event::kGoal, kNothing, State::kPlanning,

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace vfh_astar {
 namespace {
@@ -81,6 +83,58 @@ TEST(NavigationMessagesTest, TheHistogramPointsWhereItsSectorsDo) {
   }
   EXPECT_NEAR(last_length, 1.0, 0.05);
   EXPECT_NEAR(markers[1].pose.orientation.z, std::sin(0.625), 1e-12);
+}
+
+TEST(NavigationMessagesTest, ATrackIsADiscAndItsWayOfASecond) {
+  MovingObstacle mover;
+  mover.position = {2.0, -1.0};
+  mover.velocity = {-0.5, 1.5};
+  mover.radius = 0.4;
+  const auto markers =
+      ToTrackMarkers({MovingObstacle(), mover}, MakeHeader("map")).markers;
+  ASSERT_EQ(markers.size(), 5u);
+  EXPECT_EQ(markers[0].action, visualization_msgs::Marker::DELETEALL)
+      << "what is gone must not stay in sight";
+  const visualization_msgs::Marker& disc = markers[3];
+  EXPECT_EQ(disc.type, visualization_msgs::Marker::CYLINDER);
+  EXPECT_EQ(disc.header.frame_id, "map");
+  EXPECT_EQ(disc.pose.position.x, 2.0);
+  EXPECT_EQ(disc.pose.position.y, -1.0);
+  EXPECT_DOUBLE_EQ(disc.scale.x, 0.8);
+  const visualization_msgs::Marker& arrow = markers[4];
+  ASSERT_EQ(arrow.points.size(), 2u);
+  EXPECT_EQ(arrow.points[0].x, 2.0);
+  EXPECT_EQ(arrow.points[1].x, 1.5);
+  EXPECT_EQ(arrow.points[1].y, 0.5);
+  EXPECT_NE(std::make_pair(disc.ns, disc.id),
+            std::make_pair(markers[1].ns, markers[1].id));
+}
+
+TEST(NavigationMessagesTest, TheStoppingZoneIsTheFootprintAlongTheMotion) {
+  const Footprint footprint{0.4, 0.3, 0.2};
+  const std::vector<Pose2D> motion = {{}, {1.0, 0.0, 0.5 * kPi}};
+  const auto free =
+      ToStoppingZoneMarkers(motion, footprint, false, MakeHeader("base_link"))
+          .markers;
+  ASSERT_EQ(free.size(), 1u);
+  EXPECT_EQ(free[0].type, visualization_msgs::Marker::LINE_LIST);
+  ASSERT_EQ(free[0].points.size(), 16u) << "two outlines of four edges";
+  EXPECT_NEAR(free[0].points[0].x, 0.4, 1e-12);
+  EXPECT_NEAR(free[0].points[0].y, 0.2, 1e-12);
+  // The same corner (0.4, 0.2), turned by 90 degrees and moved 1 m ahead.
+  EXPECT_NEAR(free[0].points[8].x, 0.8, 1e-12);
+  EXPECT_NEAR(free[0].points[8].y, 0.4, 1e-12);
+  for (int edge = 0; edge < 4; ++edge) {
+    const auto& end = free[0].points[2 * edge + 1];
+    const auto& next = free[0].points[(2 * edge + 2) % 8];
+    EXPECT_EQ(end.x, next.x);
+    EXPECT_EQ(end.y, next.y);
+  }
+  EXPECT_GT(free[0].color.g, free[0].color.r);
+  const auto limited =
+      ToStoppingZoneMarkers(motion, footprint, true, MakeHeader("base_link"))
+          .markers;
+  EXPECT_GT(limited[0].color.r, limited[0].color.g);
 }
 
 TEST(NavigationMessagesTest, ClearingTakesAllMarkersAway) {
