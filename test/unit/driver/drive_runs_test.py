@@ -1,5 +1,7 @@
+import multiprocessing
 import os
 import tempfile
+import time
 import unittest
 
 from driver import drive_runs
@@ -62,6 +64,29 @@ class DriveRunsTest(unittest.TestCase):
         # A complete set is forgotten.
         self.assertEqual(self.store().load(), {})
 
+    def test_goes_on_after_it_was_killed(self):
+        def perform_or_die(run):
+            while run.labels[0][1] == 4 and len(self.store().load()) < 4:
+                time.sleep(0.01)
+            if run.labels[0][1] == 4:
+                os._exit(9)
+            return dict(run.labels)
+
+        process = multiprocessing.get_context("fork").Process(
+            target=self.perform_all, args=(perform_or_die,))
+        process.start()
+        process.join()
+        self.assertEqual(process.exitcode, 9)
+        done_again = []
+
+        def perform(run):
+            done_again.append(run.labels[0][1])
+            return dict(run.labels)
+
+        self.assertEqual(self.perform_all(perform),
+                         [{"run": i} for i in range(5)])
+        self.assertEqual(done_again, [4])
+
     def test_a_line_that_was_cut_off_does_not_count(self):
         store = self.store()
         store.add(0, {"time_s": 1.5})
@@ -105,6 +130,23 @@ class DriveRunsTest(unittest.TestCase):
         drive_runs.PROGRAM = "/bin/false"
         with self.assertRaisesRegex(drive_runs.DriveError, "status 1"):
             drive_runs.perform(self.runs[0])
+
+    def test_a_refusal_is_told_from_a_breakdown(self):
+        def error_of(script):
+            drive_runs.PROGRAM = os.path.join(self._folder.name, "program")
+            with open(drive_runs.PROGRAM, "w") as file:
+                file.write("#!/bin/sh\n" + script)
+            os.chmod(drive_runs.PROGRAM, 0o755)
+            with self.assertRaises(drive_runs.DriveError) as caught:
+                drive_runs.perform(self.runs[0])
+            return caught.exception
+
+        refusal = error_of("echo no such speed >&2; exit 1\n")
+        self.assertIsInstance(refusal, drive_runs.RefusedDriveError)
+        self.assertIn("no such speed", str(refusal))
+        for script in ("exit 2\n", "kill -9 $$\n"):
+            self.assertNotIsInstance(error_of(script),
+                                     drive_runs.RefusedDriveError)
 
 
 if __name__ == "__main__":
