@@ -4,8 +4,10 @@ import tempfile
 import time
 import unittest
 
-from driver import drive_runs
+from driver import drive_runs, scene
 from driver.drive_runs import DriveRun, RunStore
+
+_PROGRAM = drive_runs.PROGRAM
 
 
 def _labels_of(run):
@@ -121,6 +123,29 @@ class DriveRunsTest(unittest.TestCase):
                 self.runs, drive_runs.make_executor(
                     1, cluster.scheduler_address), self.store(), _labels_of)
         self.assertEqual(results, self.perform_all(_labels_of))
+
+    def test_two_dask_workers_drive_as_one_process_does(self):
+        try:
+            import distributed
+        except ImportError:
+            self.skipTest("python3-distributed is not installed")
+        drive_runs.PROGRAM = _PROGRAM
+        if not os.path.isfile(_PROGRAM):
+            self.skipTest("the benchmark program is not built")
+        self.runs = [DriveRun(
+            (("run", i),), os.path.join(scene.ROOT, "worlds", "pop_up.yaml"),
+            os.path.join(scene.ROOT, "config", "jackal.yaml"),
+            ("--seed", str(i + 1), "--noise", "experiment", "--time-limit",
+             "3")) for i in range(4)]
+        alone = self.perform_all(drive_runs.perform)
+        with distributed.LocalCluster(
+                n_workers=2, threads_per_worker=1, processes=True,
+                dashboard_address=None) as cluster:
+            together = drive_runs.perform_all(
+                self.runs, drive_runs.make_executor(
+                    1, cluster.scheduler_address), self.store())
+        self.assertEqual(together, alone)
+        self.assertEqual(len({run["path_m"] for run in alone}), 4)
 
     def test_no_cluster_is_said(self):
         with self.assertRaisesRegex(drive_runs.DriveError, "--scheduler"):
