@@ -1,6 +1,8 @@
 """Draws one drive of each stack through one scene with one noise: the paper's
 figures, for as many stacks as there are."""
 
+import itertools
+import math
 import os
 
 from driver import picture, world_shapes
@@ -8,6 +10,8 @@ from driver.comparison_tables import stack_title
 from driver.picture import np, plt
 
 _DPI = 90
+_PANELS_IN_A_ROW = 2
+_FAINT = 0.3  # alpha of a plan that was replaced, and less where there are many
 _ERRORS = ("along [m]", "across [m]", "heading [rad]")
 
 
@@ -23,6 +27,9 @@ class Pictures:
         self._prefix = "{}_{}_".format(task.scene.name, task.noise)
         self._shapes = world_shapes.read(task.scene.world)
 
+    def _colored(self):
+        return zip(itertools.cycle(picture.COLORS), self._drives)
+
     def _save(self, figure, name):
         file = self._prefix + name + ".png"
         figure.savefig(os.path.join(self._folder, file), dpi=_DPI,
@@ -31,20 +38,23 @@ class Pictures:
         return file
 
     def _panels(self, drives):
-        """A figure with a map for each drive, side by side, all of one extent."""
+        """A figure with a map for each drive, side by side, of one extent."""
         low, high = picture.limits([d.record for d in drives])
         width, height = high - low
+        columns = min(len(drives), _PANELS_IN_A_ROW)
+        rows = math.ceil(len(drives) / columns)
         panel = 5.0 if width > height else 3.5
         figure, axes = plt.subplots(
-            1, len(drives), squeeze=False, sharey=True,
-            figsize=(panel * len(drives), panel * height / width + 0.8))
-        for axis, drive in zip(axes[0], drives):
+            rows, columns, squeeze=False, sharey=True,
+            figsize=(panel * columns, (panel * height / width + 0.8) * rows))
+        axes = axes.flatten()
+        for axis in axes[len(drives):]:
+            axis.remove()
+        for axis, drive in zip(axes, drives):
             picture.draw_map(axis, drive.record)
             axis.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]),
                      title=stack_title(drive.task.stack))
-            if axis is not axes[0][0]:
-                axis.set_ylabel("")
-        return figure, axes[0]
+        return figure, axes[:len(drives)]
 
     def _legend(self, figure, axes):
         """Below, with whatever any of the panels shows."""
@@ -64,8 +74,9 @@ class Pictures:
         figure, axes = self._panels(drives)
         for axis, drive in zip(axes, drives):
             first, *later = drive.record.plans
+            faint = max(0.03, _FAINT / max(1.0, len(later) / 20.0))
             for plan in later:
-                axis.plot(*plan.T, color="tab:blue", alpha=0.3, linewidth=0.6)
+                axis.plot(*plan.T, color="tab:blue", alpha=faint, linewidth=0.6)
             axis.plot(*first.T, color="tab:blue", linewidth=2.0,
                       label="first plan")
         self._legend(figure, axes)
@@ -97,7 +108,7 @@ class Pictures:
             picture.draw_ends(axes, records[0])
             axes.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
         self._draw_shapes(axes)
-        for color, drive in zip(picture.COLORS, self._drives):
+        for color, drive in self._colored():
             picture.draw_driven(axes, drive.record, color,
                                 stack_title(drive.task.stack))
             picture.draw_outlines(axes, drive.record, color)
@@ -117,13 +128,13 @@ class Pictures:
     def draw_errors(self):
         """Distances from the newest plan over time, of every stack; and below
         them the tracking errors of those that publish them."""
-        tracked = [(color, d) for color, d in zip(picture.COLORS, self._drives)
+        tracked = [(color, d) for color, d in self._colored()
                    if any(s.state == "TRACKING" for s in d.record.states)]
         rows = 1 + (len(_ERRORS) if tracked else 0)
         figure, axes = plt.subplots(rows, 1, squeeze=False, sharex=True,
                                     figsize=(9, 1.2 + 2.0 * rows))
         axes = axes[:, 0]
-        for color, drive in zip(picture.COLORS, self._drives):
+        for color, drive in self._colored():
             record = drive.record
             axes[0].plot(*np.array(
                 [(time - record.began, distance) for time, distance

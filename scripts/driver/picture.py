@@ -11,7 +11,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.transforms import Affine2D, ScaledTranslation  # noqa: E402
 
-COLORS = ("tab:red", "tab:purple", "tab:green", "tab:brown")  # in turn
+COLORS = ("tab:red", "tab:purple", "tab:green", "tab:brown", "tab:cyan",
+          "tab:olive", "tab:pink")  # in turn
 _LEGEND_SPACE = 0.5  # inches below the axes, for their label
 _MARGIN = 1.5  # m around everything that was driven or planned
 # m, the Jackal with its wheels about base_link: (front, rear, half width).

@@ -4,9 +4,11 @@ import tempfile
 import unittest
 
 import compared_drives
-from driver import comparison_report
+from driver import comparison_report, picture
 from driver.barn import summary
 from driver.benchmark_tables import Benchmark
+from driver.comparison_tables import stack_title
+from driver.stacks import STACKS
 
 _NO_BENCHMARKS = {"barn": [], "dynabarn": []}
 
@@ -72,6 +74,21 @@ class ComparisonReportTest(unittest.TestCase):
         _, markdown, _ = self.write([compared_drives.missing()])
         self.assertIn("move_base is not installed.", markdown)
         self.assertNotIn("png", markdown)
+
+    def test_no_stack_is_left_out_for_want_of_a_colour(self):
+        names = list(STACKS)[:9]
+        self.assertEqual(len(names), 9)
+        drawn = []
+        original = picture.draw_driven
+        self.addCleanup(setattr, picture, "draw_driven", original)
+
+        def draw_driven(axes, record, color, label):
+            drawn.append(label)
+            original(axes, record, color, label)
+
+        picture.draw_driven = draw_driven
+        self.write([compared_drives.drive(name) for name in names])
+        self.assertEqual(drawn, [stack_title(name) for name in names])
 
     def test_a_stack_without_trajectories(self):
         _, markdown, _ = self.write([compared_drives.drive("move_base")])
