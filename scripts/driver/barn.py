@@ -14,7 +14,7 @@ _GOAL_DISTANCE = 10.0  # m ahead of the start, along y
 _FINISH_RADIUS = 1.0  # m
 _START_DISTANCE = 0.1  # m of motion from which time counts
 _TIME_LIMIT = 100.0  # s
-_OPTIMAL_SPEED = 2.0  # m/s
+OPTIMAL_SPEED = 2.0  # m/s
 _SLOWEST = 8.0  # times the optimal time; slower runs score no less
 
 
@@ -42,7 +42,7 @@ def world_files(folder, pattern, indices=None):
             folder, pattern))
     missing = sorted(set(indices or ()) - set(found))
     if missing:
-        raise WorldSetError("--indices: {} has no world {}".format(
+        raise WorldSetError("--worlds: {} has no world {}".format(
             folder, missing[0]))
     return {index: found[index] for index in sorted(indices or found)}
 
@@ -91,7 +91,7 @@ def reference_path(file):
 def optimal_time(path, start):
     """s at the optimal speed along start, path and goal."""
     line = np.vstack([start[:2], path, goal_of(start)[:2]])
-    return float(np.sum(np.hypot(*np.diff(line, axis=0).T))) / _OPTIMAL_SPEED
+    return float(np.sum(np.hypot(*np.diff(line, axis=0).T))) / OPTIMAL_SPEED
 
 
 def score(succeeded, time, optimal, k):
@@ -101,22 +101,29 @@ def score(succeeded, time, optimal, k):
     return optimal / min(max(time, k * optimal), _SLOWEST * optimal)
 
 
+def path_of_world(folder, index):
+    """reference_path of a world in a folder. Raises WorldSetError."""
+    file = os.path.join(folder, "path_{}.npy".format(index))
+    if not os.path.isfile(file):
+        raise WorldSetError("there is no file {}, which the score needs".format(
+            file))
+    return reference_path(file)
+
+
 def add_scores(results, folder, start):
     """Gives each run its optimal_time_s, score_k4 and score_k2."""
-    optimal = {}
+    optimal = {index: optimal_time(path_of_world(folder, index), start)
+               for index in {result["world"] for result in results}}
     for result in results:
-        index = result["world"]
-        if index not in optimal:
-            file = os.path.join(folder, "path_{}.npy".format(index))
-            if not os.path.isfile(file):
-                raise WorldSetError("there is no file {}, which the score "
-                                    "needs".format(file))
-            optimal[index] = optimal_time(reference_path(file), start)
-        result["optimal_time_s"] = optimal[index]
-        for k in (4, 2):
-            result["score_k{}".format(k)] = score(
-                result["outcome"] == "success", result["time_s"],
-                optimal[index], k)
+        add_score(result, optimal[result["world"]])
+
+
+def add_score(result, optimal):
+    """The same for one run; optimal: s."""
+    result["optimal_time_s"] = optimal
+    for k in (4, 2):
+        result["score_k{}".format(k)] = score(
+            result["outcome"] == "success", result["time_s"], optimal, k)
 
 
 def summary(results):

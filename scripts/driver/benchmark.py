@@ -8,8 +8,9 @@ import signal
 import subprocess
 import sys
 
-from driver import (barn, drive_runs, paper_pictures, paper_scenes, poses,
-                    scene)
+from driver import (barn, config_text, drive_runs, paper_pictures,
+                    paper_scenes, poses, scene, search_space, tune,
+                    tune_command)
 
 # What the benchmark program does in one run, with options of its own.
 _PROGRAM_COMMANDS = {
@@ -87,7 +88,10 @@ def make_parser():
                        help="draw paths, trajectories and errors there")
     for command in (static, dynamic):
         _add_world_options(command)
-    for command in (static, dynamic, paper):
+    tuning = commands.add_parser("tune", help=tune_command.HELP)
+    tune_command.add_options(tuning, _count, _indices)
+    _add_config_option(tuning)
+    for command in (static, dynamic, paper, tuning):
         _add_run_options(command, 1)
     for command in commands.choices.values():
         command.add_argument("--json", metavar="FILE",
@@ -108,6 +112,8 @@ def parse_arguments(arguments):
         if not os.path.isfile(options.config):
             parser.error("--config: there is no file " + options.config)
         options.config = os.path.abspath(options.config)
+    if options.command == "tune":
+        tune_command.check(options, parser.error)
     return options
 
 
@@ -187,7 +193,8 @@ def run(options):
     commands = {"cycle": (run_cycle, cycle_table),
                 "barn": (run_barn, barn.table),
                 "dynabarn": (run_dynabarn, barn.table),
-                "paper": (run_paper, paper_scenes.table)}
+                "paper": (run_paper, paper_scenes.table),
+                "tune": (tune_command.run, tune_command.table)}
     perform, make_table = commands.get(options.command, (run_program, table))
     figures = perform(options)
     return figures, make_table(figures)
@@ -203,7 +210,8 @@ def main():
     options = parse_arguments(sys.argv[1:])
     try:
         figures, lines = run(options)
-    except (barn.WorldSetError, drive_runs.DriveError) as error:
+    except (barn.WorldSetError, config_text.ConfigError, drive_runs.DriveError,
+            search_space.SpaceError, tune.TuneError) as error:
         print("benchmark: {}".format(error), file=sys.stderr)
         return 1
     print("\n".join(lines))

@@ -1,97 +1,124 @@
-"""Drives one scene with each of several navigation stacks and compares them."""
+"""Drives scenes with each of several navigation stacks, without noise and with,
+and writes a report that compares them."""
 
 import argparse
 import json
-import multiprocessing
 import os
 import signal
 import sys
 
-from driver import scene, world_file
-from driver.launched_stack import LaunchedStack, LaunchError
+from driver import comparison, machine, scene, world_file
 from driver.stacks import STACKS
 
-_OUTPUT = os.path.join(scene.OUTPUT, "compare")
+_STACKS = ("move_base", "vfh_astar_paper", "vfh_astar")  # as the paper has them
+_NOISES = ("clean", "experiment")
+
+
+def _list(known, what):
+    """A reader of a list whose members have to be among the known."""
+    def read(text):
+        names = text.split(",")
+        for name in names:
+            if name not in known:
+                raise argparse.ArgumentTypeError(
+                    "'{}' is no {}; expected names out of {} with commas "
+                    "between them".format(name, what, ", ".join(known)))
+        return list(dict.fromkeys(names))
+    return read
+
+
+def _runs(text):
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError("{} is not 1 or more".format(value))
+    return value
+
+
+def make_parser():
+    parser = argparse.ArgumentParser(prog="compare", description=__doc__)
+    parser.add_argument("--stacks", type=_list(STACKS, "stack"),
+                        default=list(_STACKS), metavar="NAME,...",
+                        help="out of {} ({})".format(", ".join(STACKS),
+                                                     ",".join(_STACKS)))
+    parser.add_argument("--scenes", metavar="NAME,...", help="worlds of "
+                        "worlds/, or files with a start and a goal (hairpin)")
+    parser.add_argument("--noise", type=_list(_NOISES, "noise"),
+                        default=list(_NOISES), metavar="NAME,...",
+                        help="out of {} (both)".format(", ".join(_NOISES)))
+    parser.add_argument("--runs", type=_runs, default=1, metavar="N",
+                        help="of each, every one with a seed of its own (1)")
+    scene.add_arguments(parser)
+    parser.set_defaults(world=None)
+    for name, text in (("barn", "BARN"), ("dynabarn", "DynaBARN")):
+        parser.add_argument("--" + name, action="append", default=[],
+                            metavar="[LABEL=]FILE", help="figures of scripts/"
+                            "benchmark {} --json for the report's {} table; "
+                            "may be given again".format(name, text))
+    parser.add_argument("--report", metavar="FOLDER",
+                        help="where report.html, report.md and the pictures go "
+                        "(.workspace/compare/<scenes>)")
+    return parser
 
 
 def parse_arguments(arguments):
-    parser = argparse.ArgumentParser(prog="compare", description=__doc__)
-    parser.add_argument("--stacks", default="vfh_astar,move_base",
-                        help="names with commas between them out of {} (both)"
-                        .format(", ".join(STACKS)))
-    scene.add_arguments(parser)
-    parser.add_argument("--report", metavar="FOLDER",
-                        help="where report.md and its pictures go "
-                        "(.workspace/compare/<world>)")
+    parser = make_parser()
     options = parser.parse_args(arguments)
-    options.stacks = options.stacks.split(",")
-    unknown = [name for name in options.stacks if name not in STACKS]
-    if unknown:
-        parser.error("--stacks: '{}' is not one of {}".format(
-            unknown[0], ", ".join(STACKS)))
+    from driver import benchmark_tables
     try:
-        scene.complete(options)
-    except (scene.SceneError, world_file.WorldFileError) as error:
+        options.scenes = _scenes(options)
+        options.benchmarks = {
+            name: [benchmark_tables.read(text) for text in getattr(options,
+                                                                   name)]
+            for name in ("barn", "dynabarn")}
+    except (benchmark_tables.FiguresError, scene.SceneError,
+            world_file.WorldFileError) as error:
         parser.error(str(error))
-    options.report = options.report or os.path.join(
-        _OUTPUT, scene.world_name(options))
+    options.report = os.path.abspath(options.report or os.path.join(
+        comparison.OUTPUT, "_".join(s.name for s in options.scenes)))
     return options
 
 
-def drive_stack(name, options):
-    """Runs in a process of its own, as a process can join one ROS master only.
-    Returns a DriveRecord, or the sentence that says why there is none."""
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, _end_on_signal)
-    stack = STACKS[name]
-    x, y, yaw = options.start
-    arguments = dict(stack.launch_arguments, world=options.world, x=x, y=y,
-                     yaw=yaw, seed=options.seed)
-    if name == "vfh_astar":
-        arguments["config"] = options.config
-    launch_file = os.path.join(scene.ROOT, "launch", "compare.launch")
-    log = os.path.join(options.report, name + ".log")
-    try:
-        with LaunchedStack(launch_file, arguments, log) as launched:
-            os.environ["ROS_MASTER_URI"] = launched.master_uri
-            # They read the master's address when they are loaded.
-            from driver import goal_drive, node_cpu
-            from driver.observer import Observer
-            goal_drive.connect(launched, "compare")
-            observer = Observer(
-                stack.plan_topic,
-                options.start if stack.starts_at_zero else (0.0, 0.0, 0.0))
-            goal_drive.GoalClient(launched, observer).wait_until_ready()
-            cpu_before = node_cpu.cpu_seconds_of_nodes(stack.nodes)
-            record = goal_drive.drive(launched, observer, options.start,
-                                      options.goal, options.time_limit,
-                                      lambda elapsed: None)
-            record.cpu_seconds = (node_cpu.cpu_seconds_of_nodes(stack.nodes)
-                                  - cpu_before)
-            return record
-    except LaunchError as error:
-        return str(error)
+def _scenes(options):
+    """Those of --scenes, or the one of --world, --start and --goal."""
+    own = [name for name in ("world", "start", "goal")
+           if getattr(options, name) is not None]
+    if own and options.scenes:
+        raise scene.SceneError("--{} is for a scene of one's own; expected it "
+                               "without --scenes".format(own[0]))
+    if own:
+        return [_scene(options.world or scene.DEFAULT_WORLD, options)]
+    return [_scene(_world_of(name), options)
+            for name in (options.scenes or "hairpin").split(",")]
 
 
-def drive_all(options):
-    """{stack's name: DriveRecord or the sentence why there is none}"""
-    results = {}
-    for name in options.stacks:
-        missing = STACKS[name].missing_packages()
-        if missing:
-            results[name] = ("{} is not installed here (no package {}); it is "
-                             "left out.".format(name, ", ".join(missing)))
-        else:
-            print("Driving {} with {} ...".format(
-                scene.world_name(options), name), flush=True)
-            context = multiprocessing.get_context("spawn")
-            with context.Pool(1) as pool:
-                results[name] = pool.apply(drive_stack, (name, options))
-                pool.close()
-                pool.join()
-        if isinstance(results[name], str):
-            print(results[name], file=sys.stderr, flush=True)
-    return results
+def _world_of(name):
+    """The file of a world that is named, or given as a file."""
+    if os.path.sep in name or "." in name:
+        return name
+    file = os.path.join(scene.ROOT, "worlds", name + ".yaml")
+    if not os.path.isfile(file):
+        raise scene.SceneError("--scenes: there is no world {}".format(file))
+    return file
+
+
+def _scene(world, options):
+    complete = argparse.Namespace(**vars(options))
+    complete.world = world
+    scene.complete(complete)
+    options.config = complete.config
+    return comparison.Scene(scene.world_name(complete), complete.world,
+                            complete.start, complete.goal)
+
+
+def _to_json(drives, facts):
+    return {
+        "machine": facts,
+        "runs": [{"scene": d.task.scene.name, "noise": d.task.noise,
+                  "stack": d.task.stack, "run": d.task.number,
+                  "seed": d.task.seed, **d.record.figures()}
+                 for d in drives if d.record],
+        "missing": sorted({d.why_missing for d in drives if not d.record}),
+    }
 
 
 def _end_on_signal(number, _):
@@ -102,25 +129,30 @@ def main():
     options = parse_arguments(sys.argv[1:])
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, _end_on_signal)
-    os.makedirs(options.report, exist_ok=True)
-    results = drive_all(options)
-    records = {name: result for name, result in results.items()
-               if not isinstance(result, str)}
-    notes = [result for result in results.values() if isinstance(result, str)]
+    logs = os.path.join(options.report, "logs")
+    os.makedirs(logs, exist_ok=True)
+    tasks = comparison.make_tasks(options.stacks, options.scenes, options.noise,
+                                  options)
+    facts = machine.describe()
+    store = comparison.DriveStore()
+    drives = comparison.perform_all(
+        tasks, logs, store,
+        lambda line: print(line, file=sys.stderr, flush=True))
     from driver import comparison_report
-    table = comparison_report.write(records, notes, scene.world_name(options),
+    table = comparison_report.write(drives, options.benchmarks, facts,
                                     options.report)
     print(table)
-    print("report: {}".format(os.path.join(options.report, "report.md")))
+    print("report: {}".format(os.path.join(options.report, "report.html")))
     if options.json:
         with open(options.json, "w") as file:
-            json.dump({name: record.figures()
-                       for name, record in records.items()}, file, indent=2)
+            json.dump(_to_json(drives, facts), file, indent=2)
+            file.write("\n")
     # A stack that is not installed is no failure; one that did not come up is.
-    broken = [name for name, result in results.items()
-              if isinstance(result, str)
-              and not STACKS[name].missing_packages()]
-    return 0 if records and not broken else 1
+    broken = any(d.record is None and not comparison.why_not_installed(
+        STACKS[d.task.stack]) for d in drives)
+    if not broken:
+        store.clear(tasks)
+    return 0 if not broken and any(d.record for d in drives) else 1
 
 
 if __name__ == "__main__":

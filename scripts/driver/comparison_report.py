@@ -1,77 +1,129 @@
-"""Writes what a comparison has found: a table, the paths, the errors."""
+"""Writes what a comparison has found: report.html, which needs nothing else, and
+the same as report.md with its pictures."""
 
-import os
+from driver import benchmark_tables, comparison_tables
+from driver.comparison_pictures import Pictures
+from driver.report_document import Heading, Paragraph, Picture, Table, write \
+    as write_document
 
-from driver import picture
-from driver.picture import plt
-
-_COLUMNS = (
-    ("outcome", "outcome", "{}"),
-    ("contact", "contact", "{}"),
-    ("time_s", "time [s]", "{:.1f}"),
-    ("path_m", "path [m]", "{:.2f}"),
-    ("min_clearance_m", "least clearance [m]", "{:.2f}"),
-    ("plan_rms_m", "RMS distance from the plan [m]", "{:.3f}"),
-    ("plan_max_m", "greatest distance from the plan [m]", "{:.3f}"),
-    ("cpu_s", "CPU [s]", "{:.1f}"),
+_TITLE = "Navigation stacks compared"
+_HOW = (
+    "Every stack drives the same simulated Jackal in real time, with the same "
+    "seeds of the noise, a map that it builds as it drives and the speeds of its "
+    "own configuration. Time is simulated time from sending the goal to its result. "
+    "Time, path, smoothness, replans, stops and CPU are means over the drives "
+    "that reached the goal without contact, with 95 % confidence intervals "
+    "where there are several; clearance, memory and real-time factor are the "
+    "extremes over all drives.",
+    "Clearance is between the robot's true footprint and anything solid. Jerk is "
+    "of the true forward speed, averaged over 0.1 s; a turn reversal is a change "
+    "from turning one way with more than 0.1 rad/s to the other; a stop is 0.3 s "
+    "or more of standing on the way. Replans are the plans published after the "
+    "first. CPU and memory are of the stack's own processes, without simulator "
+    "and ROS master, from sending the goal to its result; memory adds up each "
+    "process's peak, with libraries that they share. Cycles missed are those "
+    "that the stack itself reports. A real-time factor below 1 means that the "
+    "machine did not keep up, which spoils times and missed cycles.",
+)
+_PICTURES = (
+    ("draw_plans", "Global plans: the first strong, those that replaced it "
+     "faint, over the map that the stack had built at the end.",
+     "No stack published a plan."),
+    ("draw_trajectories", "Trajectory over path: each stack's longest, and the "
+     "plan that it was fitted to, over the map at the end of the drive, of which "
+     "less was known when they were made. Stacks that publish no trajectory are "
+     "not shown.",
+     "No stack here publishes trajectories."),
+    ("draw_driven", "Driven paths: by ground truth, among the obstacles (grey: "
+     "what moves or pops up, where it begins), an outline every second.", ""),
+    ("draw_errors", "Errors over time: distance from the newest plan, and the "
+     "tracking errors of stacks that publish them, while they track.", ""),
 )
 
 
-def table(records):
-    """In Markdown, one line for each stack."""
-    lines = ["| stack | " + " | ".join(title for _, title, _ in _COLUMNS) + " |",
-             "|---" * (len(_COLUMNS) + 1) + "|"]
-    for name, record in records.items():
-        figures = record.figures()
-        cells = ["-" if figures[key] is None else form.format(figures[key])
-                 for key, _, form in _COLUMNS]
-        lines.append("| " + " | ".join([name] + cells) + " |")
-    return "\n".join(lines)
+def _scene_blocks(name, drives, folder):
+    blocks = [Heading(2, name), Table(*comparison_tables.measures(drives))]
+    failures = comparison_tables.failures(drives)
+    if failures:
+        blocks.append(Paragraph("Not reached without contact: "
+                                + "; ".join(failures) + "."))
+    for noise in comparison_tables.names(d.task.noise for d in drives):
+        shown = _first_of_each_stack(
+            [d for d in drives if d.record and d.task.noise == noise])
+        blocks.append(Heading(3, "{}, {}".format(
+            name, comparison_tables.NOISES[noise])))
+        if not shown:
+            blocks.append(Paragraph("No stack drove here."))
+            continue
+        pictures = Pictures(shown, folder)
+        for method, caption, without in _PICTURES:
+            file = getattr(pictures, method)()
+            blocks.append(Picture(file, caption) if file
+                          else Paragraph(without))
+    return blocks
 
 
-def _draw_paths(records, file):
-    figure, axes = plt.subplots(figsize=(9, 9))
-    picture.draw_map(axes, next(iter(records.values())))
-    for color, (name, record) in zip(picture.COLORS, records.items()):
-        picture.draw_driven(axes, record, color, name)
-    picture.frame(axes, list(records.values()))
-    picture.legend_below(axes)
-    figure.savefig(file, dpi=120, bbox_inches="tight")
-    plt.close(figure)
+def _first_of_each_stack(drives):
+    first = {}
+    for drive in drives:
+        first.setdefault(drive.task.stack, drive)
+    return list(first.values())
 
 
-def _draw_errors(records, file):
-    figure, axes = plt.subplots(figsize=(9, 4))
-    for color, (name, record) in zip(picture.COLORS, records.items()):
-        distances = record.distances_from_plan()
-        axes.plot([time - record.began for time, _ in distances],
-                  [distance for _, distance in distances],
-                  color=color, label=name)
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("distance from the plan [m]")
-    axes.grid(alpha=0.3)
-    axes.legend(loc="best", fontsize=8)
-    figure.savefig(file, dpi=120, bbox_inches="tight")
-    plt.close(figure)
+def _benchmark_blocks(benchmarks):
+    blocks = [Heading(2, "BARN")]
+    if not benchmarks["barn"]:
+        blocks.append(Paragraph(
+            "BARN was not driven for this report: it takes figures that "
+            "scripts/benchmark barn has written, with --barn."))
+    else:
+        blocks += [
+            Table(*benchmark_tables.barn_table(benchmarks["barn"])),
+            Paragraph("Rates with 95 % confidence intervals. The published "
+                      "ones are on their authors' worlds, simulators and "
+                      "machines, so the difference is not the stack's alone.")]
+    blocks.append(Heading(2, "DynaBARN"))
+    if not benchmarks["dynabarn"]:
+        blocks.append(Paragraph(
+            "DynaBARN was not driven for this report: it takes figures that "
+            "scripts/benchmark dynabarn has written, with --dynabarn."))
+    else:
+        blocks += [Table(*benchmark_tables.dynabarn_table(
+            benchmarks["dynabarn"])), Paragraph(
+                "DynaBARN has no score; no published rates are at hand to set "
+                "beside these.")]
+    return blocks
 
 
-def write(records, notes, world, folder):
-    """Writes report.md and its pictures; returns the table.
+def write(drives, benchmarks, facts, folder):
+    """Writes the report and its pictures; returns what to print.
 
-    records: {stack's name: DriveRecord}; notes: sentences on those left out.
+    drives: of comparison.perform_all.
+    benchmarks: {"barn", "dynabarn": lists of benchmark_tables.Benchmark}
+    facts: of machine.describe.
     """
-    parts = ["# {}".format(world)] + notes
-    if records:
-        parts.append(table(records))
-        _draw_paths(records, os.path.join(folder, "paths.png"))
-        _draw_errors(records, os.path.join(folder, "errors.png"))
-        parts += ["Driven paths, by ground truth, over the map that {} built:"
-                  .format(next(iter(records))),
-                  "![paths](paths.png)",
-                  "Distance of the robot from the newest plan:",
-                  "![errors](errors.png)",
-                  "CPU is what the stack's own processes used from sending the "
-                  "goal to its result, without simulator and ROS master."]
-    with open(os.path.join(folder, "report.md"), "w") as report:
-        report.write("\n\n".join(parts) + "\n")
-    return parts[len(notes) + 1] if records else ""
+    missing = comparison_tables.names(
+        d.why_missing for d in drives if not d.record)
+    scenes = {}
+    for drive in drives:
+        scenes.setdefault(drive.task.scene.name, []).append(drive)
+    times = {name: Table(*comparison_tables.completion_times(own))
+             for name, own in scenes.items()}
+    blocks = [Heading(2, "Completion time")]
+    for name, table in times.items():
+        blocks += [Heading(3, name), table]
+    blocks += [Paragraph(sentence) for sentence in missing]
+    for name, own in scenes.items():
+        if any(d.record for d in own):
+            blocks += _scene_blocks(name, own, folder)
+    blocks += _benchmark_blocks(benchmarks)
+    blocks += [Heading(2, "How it was measured"),
+               *(Paragraph(text) for text in _HOW),
+               Table(*comparison_tables.stacks(drives)), Heading(2, "Machine"),
+               Table(["what", "value"], [list(fact) for fact in facts.items()])]
+    write_document(_TITLE, blocks, folder)
+    return "\n\n".join(
+        ["\n\n".join([name, times[name].markdown(),
+                      Table(*comparison_tables.measures(own)).markdown()])
+         for name, own in scenes.items() if any(d.record for d in own)]
+        + missing)

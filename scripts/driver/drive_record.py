@@ -6,6 +6,8 @@ from typing import List, Optional, Tuple
 
 import numpy as np
 
+from driver import drive_smoothness
+
 
 @dataclass
 class GridMap:
@@ -36,6 +38,11 @@ def distance_from_line(point, line):
     return float(np.min(np.linalg.norm(point - nearest, axis=1)))
 
 
+def line_length(line):
+    """m, of a polyline, N x 2."""
+    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+
+
 def _rms_and_max(values):
     """Nothing of nothing."""
     if not values:
@@ -49,6 +56,8 @@ class PoseSample:
     x: float  # m, ground truth in the world's frame
     y: float
     yaw: float  # rad
+    v: float = 0.0  # m/s, forward
+    w: float = 0.0  # rad/s
 
 
 @dataclass
@@ -71,6 +80,7 @@ class DriveRecord:
     plans: List[np.ndarray] = field(default_factory=list)  # N x 2, m
     plan_times: List[float] = field(default_factory=list)  # s, simulated
     trajectories: List[np.ndarray] = field(default_factory=list)
+    trajectory_times: List[float] = field(default_factory=list)  # likewise
     map: Optional[GridMap] = None
     least_clearance: float = math.inf  # m, ground truth
     contacts: List[str] = field(default_factory=list)  # what was touched
@@ -78,7 +88,11 @@ class DriveRecord:
     message: str = ""
     began: Optional[float] = None  # s, simulated: the goal was sent
     ended: Optional[float] = None  # s, simulated: the result came
+    wall_seconds: Optional[float] = None  # from sending the goal to its result
+    timed_out: bool = False
     cpu_seconds: Optional[float] = None  # of the navigation's processes
+    peak_memory: Optional[float] = None  # MB, likewise
+    missed_cycles: Optional[int] = None  # of the control, as the stack says
 
     def duration(self):
         """Simulated seconds from sending the goal to its result."""
@@ -118,8 +132,28 @@ class DriveRecord:
                     np.array((pose.x, pose.y)), self.plans[newest])))
         return distances
 
+    def longest_trajectory(self):
+        """The longest and the plan that was the newest at its time; nothing
+        without one."""
+        pairs = [(trajectory, [plan for plan, planned in zip(
+            self.plans, self.plan_times) if planned <= time])
+            for trajectory, time in zip(self.trajectories,
+                                        self.trajectory_times)]
+        pairs = [(trajectory, plans[-1]) for trajectory, plans in pairs
+                 if plans]
+        return max(pairs, key=lambda pair: line_length(pair[0]), default=None)
+
     def reached_without_contact(self):
         return self.succeeded and not self.contacts
+
+    def smoothness(self):
+        """jerk_rms, turn_reversals and stops; see drive_smoothness."""
+        times, speeds, turn_rates = np.array(
+            [(p.time, p.v, p.w) for p in self.poses]).reshape(-1, 3).T
+        return {"jerk_rms": drive_smoothness.jerk_rms(times, speeds),
+                "turn_reversals": drive_smoothness.turn_reversals(
+                    times, turn_rates),
+                "stops": drive_smoothness.stops(times, speeds, turn_rates)}
 
     def figures(self):
         """For a table or a JSON file; None where nothing was measured."""
@@ -138,5 +172,12 @@ class DriveRecord:
             "max_error_m": errors[1] if errors else None,
             "plan_rms_m": plan_errors[0] if plan_errors else None,
             "plan_max_m": plan_errors[1] if plan_errors else None,
+            **self.smoothness(),
+            # The same for every stack: what it published as its plan.
+            "replans": max(0, len(self.plans) - 1),
             "cpu_s": self.cpu_seconds,
+            "peak_memory_mb": self.peak_memory,
+            "missed_cycles": self.missed_cycles,
+            "realtime_factor": (self.duration() / self.wall_seconds
+                                if self.wall_seconds else None),
         }

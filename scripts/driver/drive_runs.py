@@ -20,6 +20,10 @@ class DriveError(Exception):
     """A drive gave no result; the message says why."""
 
 
+class RefusedDriveError(DriveError):
+    """The program did not take what it was given, rather than break down."""
+
+
 @dataclass(frozen=True)
 class DriveRun:
     """One drive: what its result is called by, the files it reads and its
@@ -37,11 +41,12 @@ class DriveRun:
 
 
 def perform(run):
-    """The drive's figures with its labels before them."""
+    """The drive's figures with its labels before them. Raises DriveError."""
     done = subprocess.run(run.command(), stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE)
     if done.returncode != 0:
-        raise DriveError("{}: {}".format(
+        error = RefusedDriveError if done.returncode == 1 else DriveError
+        raise error("{}: {}".format(
             " ".join(run.command()),
             done.stderr.decode().strip() or "status {}".format(
                 done.returncode)))
@@ -112,31 +117,40 @@ def make_executor(jobs, scheduler=None):
 
 
 def perform_all(runs, executor, store=None, perform_one=perform):
-    """The results of all runs, in their order. Shows a progress bar on a
-    terminal's error stream.
+    """As perform_each, with a progress bar on a terminal's error stream; the
+    executor is of no use afterwards."""
+    store = store or RunStore(runs)
+    with executor, make_bar(len(runs), len(store.load())) as bar:
+        return perform_each(runs, executor, store, perform_one, bar.update)
+
+
+def make_bar(total, done):
+    """A progress bar with the time that remains; none without a terminal."""
+    from tqdm import tqdm
+    return tqdm(total=total, initial=done, unit="run", ncols=79, disable=None)
+
+
+def perform_each(runs, executor, store, perform_one, advance):
+    """The results of all runs, in their order.
 
     executor: see make_executor.
-    store: RunStore; one for these runs where not given.
+    store: RunStore of these runs.
+    advance: called after each run that was not in the store.
     Raises DriveError after the first run without a result; what was done by
     then is kept.
     """
-    from tqdm import tqdm
-    store = store or RunStore(runs)
     results = store.load()
-    bar = tqdm(total=len(runs), initial=len(results), unit="run", ncols=79,
-               disable=None)
-    with executor, bar:
-        waiting = {executor.submit(perform_one, run): place
-                   for place, run in enumerate(runs) if place not in results}
-        try:
-            for future in concurrent.futures.as_completed(waiting):
-                place = waiting[future]
-                results[place] = future.result()
-                store.add(place, results[place])
-                bar.update()
-        except BaseException:
-            for future in waiting:
-                future.cancel()
-            raise
+    waiting = {executor.submit(perform_one, run): place
+               for place, run in enumerate(runs) if place not in results}
+    try:
+        for future in concurrent.futures.as_completed(waiting):
+            place = waiting[future]
+            results[place] = future.result()
+            store.add(place, results[place])
+            advance()
+    except BaseException:
+        for future in waiting:
+            future.cancel()
+        raise
     store.clear()
     return [results[place] for place in range(len(runs))]

@@ -157,6 +157,7 @@ class _Pursuit:
         self._task = task
         self._client = GoalClient(stack, task.observer)
         self._cancelled_at = None  # simulated s
+        self._sent_at = None  # s of the wall clock
         self.record = DriveRecord(task.start, task.goal)
 
     def wait_until_ready(self):
@@ -165,6 +166,7 @@ class _Pursuit:
     def begin(self, now):
         self._task.observer.begin(self.record)
         self.record.began = now
+        self._sent_at = time.monotonic()
         self._client.send(self._task.goal)
 
     def is_over(self):
@@ -182,6 +184,8 @@ class _Pursuit:
                 return
         timed_out = self._cancelled_at is not None
         self.record.ended = rospy.get_time()
+        self.record.wall_seconds = time.monotonic() - self._sent_at
+        self.record.timed_out = timed_out
         self.record.succeeded = self._client.succeeded() and not timed_out
         self.record.message = self._client.text()
         if timed_out:

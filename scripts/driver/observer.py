@@ -12,6 +12,10 @@ from std_msgs.msg import Float64
 
 from driver.drive_record import GridMap, PoseSample, StateSample
 
+# Nothing of a drive may be lost while a large map is read: some seconds on a busy
+# machine.
+_LONG_QUEUE = 2000
+
 
 def yaw_of(orientation):
     """rad, of a geometry_msgs/Quaternion that turns about z."""
@@ -40,8 +44,8 @@ class Observer:
         self._subscribe("map_updates", OccupancyGridUpdate,
                         self._on_map_update, 100)
         self._subscribe("ground_truth/odom", Odometry, self._on_ground_truth,
-                        100)
-        self._subscribe("clearance", Float64, self._on_clearance, 100)
+                        _LONG_QUEUE)
+        self._subscribe("clearance", Float64, self._on_clearance, _LONG_QUEUE)
         self._subscribe(plan_topic, Path, self._on_plan, 20)
         self._subscribe("trajectory_path", Path, self._on_trajectory, 20)
         self._subscribe_own_messages()
@@ -51,7 +55,7 @@ class Observer:
         from vfh_astar.msg import CollisionReport, NavigationState
         self._subscribe("collision", CollisionReport, self._on_collision, 10)
         self._subscribe("navigation_state", NavigationState, self._on_state,
-                        200)
+                        _LONG_QUEUE)
 
     def topic(self, name):
         """The name with the robot's namespace before it."""
@@ -105,12 +109,13 @@ class Observer:
             return self._map is not None
 
     def _on_ground_truth(self, odometry):
-        pose = odometry.pose.pose
+        pose, twist = odometry.pose.pose, odometry.twist.twist
         sample = PoseSample(odometry.header.stamp.to_sec(), pose.position.x,
-                            pose.position.y, yaw_of(pose.orientation))
+                            pose.position.y, yaw_of(pose.orientation),
+                            twist.linear.x, twist.angular.z)
         with self._lock:
             self.last_pose = sample
-            self.last_speed = odometry.twist.twist.linear.x
+            self.last_speed = twist.linear.x
             if self._record is not None:
                 self._record.poses.append(sample)
 
@@ -155,3 +160,4 @@ class Observer:
             with self._lock:
                 if self._record is not None:
                     self._record.trajectories.append(self._points(path))
+                    self._record.trajectory_times.append(rospy.get_time())

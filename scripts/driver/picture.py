@@ -9,9 +9,11 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from matplotlib.transforms import Affine2D  # noqa: E402
+from matplotlib.transforms import Affine2D, ScaledTranslation  # noqa: E402
 
-COLORS = ("tab:red", "tab:purple", "tab:green", "tab:brown")  # in turn
+COLORS = ("tab:red", "tab:purple", "tab:green", "tab:brown", "tab:cyan",
+          "tab:olive", "tab:pink")  # in turn
+_LEGEND_SPACE = 0.5  # inches below the axes, for their label
 _MARGIN = 1.5  # m around everything that was driven or planned
 # m, the Jackal with its wheels about base_link: (front, rear, half width).
 _FOOTPRINT = (0.229, 0.229, 0.208)
@@ -50,11 +52,16 @@ def _points_of(record):
         yield np.array([(p.x, p.y) for p in record.poses])
 
 
+def limits(records):
+    """The corners (m) of what was driven and planned, with some room."""
+    points = np.concatenate([p for r in records for p in _points_of(r)])
+    return points.min(axis=0) - _MARGIN, points.max(axis=0) + _MARGIN
+
+
 def frame(axes, records):
     """Shows what was driven and planned, not the whole of a large map, on a
     figure of that shape."""
-    points = np.concatenate([p for r in records for p in _points_of(r)])
-    low, high = points.min(axis=0) - _MARGIN, points.max(axis=0) + _MARGIN
+    low, high = limits(records)
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
     width, height = high - low
@@ -69,7 +76,7 @@ def draw_driven(axes, record, color, label):
                   label=label)
 
 
-def _draw_outlines(axes, record, color):
+def draw_outlines(axes, record, color):
     """An outline every second."""
     next_outline = -math.inf
     for pose in record.poses:
@@ -102,9 +109,12 @@ def draw_ends(axes, record, named=True):
               label="goal" if named else None)
 
 
-def legend_below(axes):
+def legend_below(axes, columns=5):
     """Where it hides nothing of the map."""
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=5,
+    below_label = ScaledTranslation(0.0, -_LEGEND_SPACE,
+                                    axes.figure.dpi_scale_trans)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0.0),
+                bbox_transform=axes.transAxes + below_label, ncol=columns,
                 fontsize=8)
 
 
@@ -112,14 +122,14 @@ def _draw_one(axes, record):
     _draw_lines(axes, record.trajectories, "tab:green", "trajectory", 4.0)
     _draw_lines(axes, record.plans, "tab:blue", "plan", 1.2)
     draw_driven(axes, record, "tab:red", "driven (ground truth)")
-    _draw_outlines(axes, record, "tab:red")
+    draw_outlines(axes, record, "tab:red")
 
 
 def _draw_several(axes, records):
     for color, (name, record) in zip(itertools.cycle(COLORS), records.items()):
         draw_ends(axes, record, named=False)
         draw_driven(axes, record, color, name)
-        _draw_outlines(axes, record, color)
+        draw_outlines(axes, record, color)
 
 
 def draw(records, file, title):

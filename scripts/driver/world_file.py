@@ -47,6 +47,15 @@ def _parse(file):
         raise WorldFileError("{}: {}".format(file, error)) from error
 
 
+def read_document(file):
+    """What a YAML world holds; nothing of other formats.
+
+    Raises WorldFileError for a file that cannot be parsed.
+    """
+    document = _parse(file) if file.endswith((".yaml", ".yml")) else None
+    return document if isinstance(document, dict) else {}
+
+
 def read_start_and_goal(file):
     """(x, y, yaw) and (x, y[, yaw]) in m and rad, each None where the world
     does not say.

@@ -53,6 +53,18 @@ class DriveRecordTest(unittest.TestCase):
         self.assertEqual(self.record.distances_from_plan(),
                          [(1, 0.25), (2, 0.25), (3, 0.75)])
 
+    def test_the_longest_trajectory_goes_with_its_plan(self):
+        self.assertIsNone(self.record.longest_trajectory())
+        lines = [np.array([(0.0, 0.0), (length, 0.0)])
+                 for length in (1.0, 2.0, 3.0, 4.0)]
+        self.record.plans, self.record.plan_times = lines[:3], [1.0, 2.0, 5.0]
+        # The last one has no plan before it.
+        self.record.trajectories = [lines[0], lines[2], lines[1], lines[3]]
+        self.record.trajectory_times = [1.1, 2.0, 5.1, 0.5]
+        trajectory, plan = self.record.longest_trajectory()
+        self.assertIs(trajectory, lines[2])
+        self.assertIs(plan, lines[1])
+
     def test_contact_spoils_success(self):
         self.record.succeeded = True
         self.assertTrue(self.record.reached_without_contact())

@@ -1,9 +1,13 @@
+import multiprocessing
 import os
 import tempfile
+import time
 import unittest
 
-from driver import drive_runs
+from driver import drive_runs, scene
 from driver.drive_runs import DriveRun, RunStore
+
+_PROGRAM = drive_runs.PROGRAM
 
 
 def _labels_of(run):
@@ -62,6 +66,29 @@ class DriveRunsTest(unittest.TestCase):
         # A complete set is forgotten.
         self.assertEqual(self.store().load(), {})
 
+    def test_goes_on_after_it_was_killed(self):
+        def perform_or_die(run):
+            while run.labels[0][1] == 4 and len(self.store().load()) < 4:
+                time.sleep(0.01)
+            if run.labels[0][1] == 4:
+                os._exit(9)
+            return dict(run.labels)
+
+        process = multiprocessing.get_context("fork").Process(
+            target=self.perform_all, args=(perform_or_die,))
+        process.start()
+        process.join()
+        self.assertEqual(process.exitcode, 9)
+        done_again = []
+
+        def perform(run):
+            done_again.append(run.labels[0][1])
+            return dict(run.labels)
+
+        self.assertEqual(self.perform_all(perform),
+                         [{"run": i} for i in range(5)])
+        self.assertEqual(done_again, [4])
+
     def test_a_line_that_was_cut_off_does_not_count(self):
         store = self.store()
         store.add(0, {"time_s": 1.5})
@@ -97,6 +124,29 @@ class DriveRunsTest(unittest.TestCase):
                     1, cluster.scheduler_address), self.store(), _labels_of)
         self.assertEqual(results, self.perform_all(_labels_of))
 
+    def test_two_dask_workers_drive_as_one_process_does(self):
+        try:
+            import distributed
+        except ImportError:
+            self.skipTest("python3-distributed is not installed")
+        drive_runs.PROGRAM = _PROGRAM
+        if not os.path.isfile(_PROGRAM):
+            self.skipTest("the benchmark program is not built")
+        self.runs = [DriveRun(
+            (("run", i),), os.path.join(scene.ROOT, "worlds", "pop_up.yaml"),
+            os.path.join(scene.ROOT, "config", "jackal.yaml"),
+            ("--seed", str(i + 1), "--noise", "experiment", "--time-limit",
+             "3")) for i in range(4)]
+        alone = self.perform_all(drive_runs.perform)
+        with distributed.LocalCluster(
+                n_workers=2, threads_per_worker=1, processes=True,
+                dashboard_address=None) as cluster:
+            together = drive_runs.perform_all(
+                self.runs, drive_runs.make_executor(
+                    1, cluster.scheduler_address), self.store())
+        self.assertEqual(together, alone)
+        self.assertEqual(len({run["path_m"] for run in alone}), 4)
+
     def test_no_cluster_is_said(self):
         with self.assertRaisesRegex(drive_runs.DriveError, "--scheduler"):
             drive_runs.make_executor(1, "nonsense://nowhere:1")
@@ -105,6 +155,23 @@ class DriveRunsTest(unittest.TestCase):
         drive_runs.PROGRAM = "/bin/false"
         with self.assertRaisesRegex(drive_runs.DriveError, "status 1"):
             drive_runs.perform(self.runs[0])
+
+    def test_a_refusal_is_told_from_a_breakdown(self):
+        def error_of(script):
+            drive_runs.PROGRAM = os.path.join(self._folder.name, "program")
+            with open(drive_runs.PROGRAM, "w") as file:
+                file.write("#!/bin/sh\n" + script)
+            os.chmod(drive_runs.PROGRAM, 0o755)
+            with self.assertRaises(drive_runs.DriveError) as caught:
+                drive_runs.perform(self.runs[0])
+            return caught.exception
+
+        refusal = error_of("echo no such speed >&2; exit 1\n")
+        self.assertIsInstance(refusal, drive_runs.RefusedDriveError)
+        self.assertIn("no such speed", str(refusal))
+        for script in ("exit 2\n", "kill -9 $$\n"):
+            self.assertNotIsInstance(error_of(script),
+                                     drive_runs.RefusedDriveError)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
-"""CPU time of ROS nodes."""
+"""CPU time and memory of the processes of ROS nodes."""
 
 import os
 from xmlrpc.client import ServerProxy
 
 import rosgraph
 
-_CALLER = "/node_cpu"
+_CALLER = "/node_processes"
 
 
 def process_of_node(name):
@@ -20,6 +20,11 @@ def process_of_node(name):
     return pid
 
 
+def processes_of_nodes(names):
+    """Their process ids, each once."""
+    return sorted({process_of_node(name) for name in names})
+
+
 def cpu_seconds(pid):
     """User and system time that the process has had, all threads."""
     with open("/proc/{}/stat".format(pid)) as stat:
@@ -29,5 +34,11 @@ def cpu_seconds(pid):
     return (user_ticks + system_ticks) / os.sysconf("SC_CLK_TCK")
 
 
-def cpu_seconds_of_nodes(names):
-    return sum(cpu_seconds(process_of_node(name)) for name in names)
+def peak_memory(pid):
+    """MB of memory that the process has had at the most, with what it shares
+    with others."""
+    with open("/proc/{}/status".format(pid)) as status:
+        for line in status:
+            if line.startswith("VmHWM:"):
+                return int(line.split()[1]) * 1024 / 1e6
+    raise OSError("/proc/{}/status has no VmHWM".format(pid))
