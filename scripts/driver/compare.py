@@ -34,6 +34,14 @@ def _runs(text):
     return value
 
 
+def _pace(text):
+    value = float(text)
+    if not 0.0 < value <= 1.0:
+        raise argparse.ArgumentTypeError(
+            "{!r} is no number above 0 up to 1".format(text))
+    return value
+
+
 def make_parser():
     parser = argparse.ArgumentParser(prog="compare", description=__doc__)
     parser.add_argument("--stacks", type=_list(STACKS, "stack"),
@@ -47,6 +55,9 @@ def make_parser():
                         help="out of {} (both)".format(", ".join(_NOISES)))
     parser.add_argument("--runs", type=_runs, default=1, metavar="N",
                         help="of each, every one with a seed of its own (1)")
+    parser.add_argument("--pace", type=_pace, default=1.0, metavar="FACTOR",
+                        help="simulated seconds per second of the wall clock; "
+                        "below 1 every stack has more of a slow machine (1)")
     scene.add_arguments(parser)
     parser.set_defaults(world=None)
     for name, text in (("barn", "BARN"), ("dynabarn", "DynaBARN")):

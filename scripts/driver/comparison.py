@@ -40,6 +40,7 @@ class Task:
     number: int  # of the run
     seed: int  # of the simulator's noise
     time_limit: float  # simulated s
+    pace: float  # simulated seconds per second of the wall clock
 
     def name(self):
         return "{}_{}_{}_{}".format(self.scene.name, self.noise, self.stack,
@@ -57,10 +58,11 @@ def make_tasks(stacks, scenes, noises, options):
     """In the order in which they are driven: stacks take turns, so that what
     else the machine does concerns all of them.
 
-    options: runs, seed, time_limit, config.
+    options: runs, seed, time_limit, pace, config.
     """
     return [Task(name, config_of(STACKS[name], options.config), place, noise,
-                 number, options.seed + number, options.time_limit)
+                 number, options.seed + number, options.time_limit,
+                 options.pace)
             for place in scenes for noise in noises
             for number in range(options.runs) for name in stacks]
 
@@ -169,7 +171,7 @@ def perform(task, log_folder):
     x, y, yaw = task.scene.start
     arguments = dict(stack.launch_arguments, world=task.scene.world, x=x, y=y,
                      yaw=yaw, seed=task.seed, noise=task.noise,
-                     config=task.config)
+                     real_time_factor=task.pace, config=task.config)
     log = os.path.join(log_folder, task.name() + ".log")
     try:
         with LaunchedStack(_LAUNCH_FILE, arguments, log) as launched:

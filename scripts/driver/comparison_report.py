@@ -8,9 +8,9 @@ from driver.report_document import Heading, Paragraph, Picture, Table, write \
 
 _TITLE = "Navigation stacks compared"
 _HOW = (
-    "Every stack drives the same simulated Jackal in real time, with the same "
-    "seeds of the noise, a map that it builds as it drives and the speeds of its "
-    "own configuration. Time is simulated time from sending the goal to its result. "
+    "Every stack drives the same simulated Jackal, with the same seeds of the "
+    "noise, a map that it builds as it drives and the speeds of its own "
+    "configuration. Time is simulated time from sending the goal to its result. "
     "Time, path, smoothness, replans, stops and CPU are means over the drives "
     "that reached the goal without contact, with 95 % confidence intervals "
     "where there are several; clearance, memory and real-time factor are the "
@@ -22,8 +22,9 @@ _HOW = (
     "first. CPU and memory are of the stack's own processes, without simulator "
     "and ROS master, from sending the goal to its result; memory adds up each "
     "process's peak, with libraries that they share. Cycles missed are those "
-    "that the stack itself reports. A real-time factor below 1 means that the "
-    "machine did not keep up, which spoils times and missed cycles.",
+    "that the stack itself reports. A real-time factor below the one "
+    "asked for (1, if nothing is said) means that the machine did not keep up, "
+    "which spoils times and missed cycles.",
 )
 _PICTURES = (
     ("draw_plans", "Global plans: the first strong, those that replaced it "

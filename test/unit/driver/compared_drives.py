@@ -13,7 +13,7 @@ WORLD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..",
 
 def task(stack="vfh_astar", noise="clean", number=0):
     return Task(stack, "c.yaml", Scene("field", WORLD, (0, 0, 0), (3, 0, 0)),
-                noise, number, number + 1, 100.0)
+                noise, number, number + 1, 100.0, 1.0)
 
 
 def drive(stack="vfh_astar", noise="clean", number=0, seconds=3.0):

@@ -41,7 +41,7 @@ class ComparisonTest(unittest.TestCase):
                                       perform or self.perform)
 
     def test_stacks_take_turns(self):
-        options = argparse.Namespace(runs=2, seed=5, time_limit=9.0,
+        options = argparse.Namespace(runs=2, seed=5, time_limit=9.0, pace=1.0,
                                      config="own.yaml")
         scenes = [Scene("a", "a.yaml", (0, 0, 0), (1, 0, 0))]
         tasks = comparison.make_tasks(["vfh_astar_paper", "vfh_astar"], scenes,
