@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <type_traits>
-#include <utility>
 
 namespace vfh_astar {
 namespace {
@@ -13,55 +11,14 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kHuge = std::numeric_limits<double>::max();
 
-constexpr int kBlock = 8;  ///< beams
+constexpr int kBlock = kLanes;  ///< beams
 
-/// rad by which Bearing is wrong at most, with some to spare.
-constexpr double kBearingError = 2e-5;
+/// The ranges of a block.
+using Block = Eigen::Map<const Eigen::Array<double, kBlock, 1>>;
 
 double Cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
-}
-
-/// The angle of a vector from the x axis in [0, 2 pi], by a polynomial that
-/// deviates least from the arc tangent (fitted to 1.1e-5 rad), as it only has
-/// to tell which beams to try.
-double Bearing(const Vector2d& v) {
-  const double ax = std::abs(v.x());
-  const double ay = std::abs(v.y());
-  const double t = std::min(ax, ay) / std::max(ax, ay);
-  const double s = t * t;
-  double angle =
-      t *
-      (0.9998663 +
-       s * (-0.3303048 + s * (0.1801592 + s * (-0.0851562 + s * 0.0208451))));
-  if (ay > ax) angle = 0.5 * kPi - angle;
-  if (v.x() < 0.0) angle = kPi - angle;
-  return v.y() < 0.0 ? 2.0 * kPi - angle : angle;
-}
-
-/// rad from one bearing counter-clockwise to another that is at most half a
-/// turn away; 0 where only the error of Bearing has them the other way round.
-double Width(double low, double high) {
-  const double width = high < low ? high - low + 2.0 * kPi : high - low;
-  return width < 1.5 * kPi ? width : 0.0;
-}
-
-/// The corners of a box that does not hold the origin, as seen from there: the
-/// one farthest to the right, then the one farthest to the left.
-std::pair<Vector2d, Vector2d> Silhouette(const Vector2d& min,
-                                         const Vector2d& max) {
-  if (min.x() > 0.0) {
-    return {{min.y() > 0.0 ? max.x() : min.x(), min.y()},
-            {max.y() < 0.0 ? max.x() : min.x(), max.y()}};
-  }
-  if (max.x() < 0.0) {
-    return {{max.y() < 0.0 ? min.x() : max.x(), max.y()},
-            {min.y() > 0.0 ? min.x() : max.x(), min.y()}};
-  }
-  if (min.y() > 0.0) return {{max.x(), min.y()}, min};
-  return {{min.x(), max.y()}, max};
 }
 
 /// m^2 from the origin to a segment.
@@ -79,25 +36,27 @@ BeamFan::BeamFan(int count, double first_angle, double increment)
       beams_per_rad_(1.0 / increment),
       full_angle_((count - 1) * increment),
       ranges_(count, kInfinity),
-      reach_squared_((count + kBlock - 1) / kBlock) {
+      reach_((count + kBlock - 1) / kBlock) {
   assert(count >= 1 && increment > 0.0);
+  x_.resize(reach_.size() * kBlock);
+  y_.resize(reach_.size() * kBlock);
   for (int beam = 0; beam < count; ++beam) {
-    x_.push_back(std::cos(beam * increment));
-    y_.push_back(std::sin(beam * increment));
+    x_[beam] = std::cos(beam * increment);
+    y_[beam] = std::sin(beam * increment);
   }
 }
 
 void BeamFan::Aim(const Pose2D& pose, double range) {
-  origin_ = pose.position();
-  axis_ = Pose2D(origin_, pose.theta + first_angle_).heading();
-  range_squared_ = range * range;
+  frame_.origin = pose.position();
+  frame_.axis = Pose2D(frame_.origin, pose.theta + first_angle_).heading();
+  range_ = range;
   std::fill(ranges_.begin(), ranges_.end(), kInfinity);
-  std::fill(reach_squared_.begin(), reach_squared_.end(), range_squared_);
+  std::fill(reach_.begin(), reach_.end(), range);
 }
 
 Vector2d BeamFan::ToFan(const Vector2d& point) const {
-  const Vector2d offset = point - origin_;
-  return {axis_.dot(offset), Cross(axis_, offset)};
+  const Vector2d offset = point - frame_.origin;
+  return {frame_.axis.dot(offset), Cross(frame_.axis, offset)};
 }
 
 BeamFan::Span BeamFan::BeamsBetween(double low, double high) const {
@@ -105,7 +64,7 @@ BeamFan::Span BeamFan::BeamsBetween(double low, double high) const {
   const double first = (low - kBearingError) * beams_per_rad_ + 1.0;
   const double last = (high + kBearingError) * beams_per_rad_;
   return {static_cast<int>(std::max(0.0, first)),
-          static_cast<int>(std::min(last, x_.size() - 1.0))};
+          static_cast<int>(std::min(last, ranges_.size() - 1.0))};
 }
 
 template <typename Draw>
@@ -119,26 +78,26 @@ void BeamFan::ForEachTurn(double low, double high, const Draw& draw) const {
   }
 }
 
-bool BeamFan::IsHidden(const Span& span, double distance_squared) const {
-  for (int block = span.first / kBlock; block <= span.last / kBlock; ++block) {
-    if (reach_squared_[block] >= distance_squared) return false;
+bool BeamFan::IsHidden(const Span& span, double distance_squared,
+                       double radius) const {
+  // Four blocks at a time, some more than once, as how many there are would be
+  // guessed wrong.
+  const int last = span.last / kBlock;
+  for (int block = span.first / kBlock; block <= last; block += 4) {
+    const double reach =
+        std::max(std::max(reach_[block], reach_[std::min(block + 1, last)]),
+                 std::max(reach_[std::min(block + 2, last)],
+                          reach_[std::min(block + 3, last)])) +
+        radius;
+    if (reach * reach >= distance_squared) return false;
   }
   return true;
 }
 
-bool BeamFan::MaySee(const Vector2d& min, const Vector2d& max) const {
-  const Vector2d low = min - origin_;
-  const Vector2d high = max - origin_;
-  const double distance_squared =
-      low.cwiseMax(-high).cwiseMax(Vector2d::Zero()).squaredNorm();
-  if (distance_squared > range_squared_) return false;
-  if (distance_squared == 0.0) return true;
-  const auto [right, left] = Silhouette(low, high);
-  const double from = Bearing({axis_.dot(right), Cross(axis_, right)});
-  const double to = Bearing({axis_.dot(left), Cross(axis_, left)});
+bool BeamFan::MaySee(const View& view) const {
   bool seen = false;
-  ForEachTurn(from, from + Width(from, to), [&](const Span& span) {
-    seen = seen || !IsHidden(span, distance_squared);
+  ForEachTurn(view.low, view.high, [&](const Span& span) {
+    seen = seen || !IsHidden(span, view.distance_squared, view.radius);
   });
   return seen;
 }
@@ -155,29 +114,51 @@ void BeamFan::LookAtDisc(const Vector2d& center, double radius) {
   const Vector2d at = ToFan(center);
   const double distance = at.norm();
   if (distance <= radius) return CoverAll();
-  const double gap = distance - radius;
-  if (gap * gap > range_squared_) return;
   // Not less than the arc sine, and equal to it where it is a right angle.
   const double sine = radius / distance;
   const double half = sine * (1.0 + (0.5 * kPi - 1.0) * sine * sine);
   const double bearing = Bearing(at);
   ForEachTurn(bearing - half, bearing + half, [&](const Span& span) {
-    if (!IsHidden(span, gap * gap)) DrawDisc(at, radius, span);
+    if (IsHidden(span, distance * distance, radius)) return;
+    DrawDisc(at, radius, span);
   });
 }
 
-void BeamFan::DrawDisc(const Vector2d& center, double radius, Span span) {
-  ForEachBlock(span, [&](const auto& x, const auto& y, auto* ranges) {
-    using Beams = std::decay_t<decltype(x)>;
-    const Beams aside = center.x() * y - center.y() * x;
-    const Beams along = center.x() * x + center.y() * y;
-    const Beams half_chord_squared = radius * radius - aside * aside;
-    // Infinite for a beam that misses, else 0. Arithmetic instead of branches,
-    // which would be guessed wrong at both sides of each disc.
-    const Beams missed =
-        half_chord_squared.min(along).min(0.0) * -kHuge * kHuge;
-    *ranges = ranges->min(along - half_chord_squared.max(0.0).sqrt() + missed);
-  });
+void BeamFan::LookAtDiscs(const DiscLanes& discs, int count) {
+  DiscLanes in_fan;
+  const ViewLanes views = ViewDiscs(frame_, discs, &in_fan);
+  for (int i = 0; i < count; ++i) {
+    const Vector2d at(in_fan.x[i], in_fan.y[i]);
+    const double radius = in_fan.radius[i];
+    const double distance_squared = views.distance_squared[i];
+    if (distance_squared <= radius * radius) {
+      CoverAll();
+      continue;
+    }
+    ForEachTurn(views.low[i], views.high[i], [&](const Span& span) {
+      if (IsHidden(span, distance_squared, radius)) return;
+      DrawDisc(at, radius, span);
+    });
+  }
+}
+
+void BeamFan::DrawDisc(const Vector2d& center, double radius,
+                       const Span& span) {
+  const int whole = static_cast<int>(ranges_.size()) / kBlock;
+  const int last = span.last / kBlock;
+  for (int block = span.first / kBlock; block <= std::min(last, whole - 1);
+       ++block) {
+    const int beam = block * kBlock;
+    NoteReach(block,
+              MeetDisc(center, radius, &x_[beam], &y_[beam], &ranges_[beam]));
+  }
+  if (last < whole) return;
+  const int beam = whole * kBlock;
+  Lanes rest = {};
+  std::copy(ranges_.begin() + beam, ranges_.end(), rest.begin());
+  NoteReach(whole,
+            MeetDisc(center, radius, &x_[beam], &y_[beam], rest.data()));
+  std::copy_n(rest.begin(), ranges_.size() - beam, ranges_.begin() + beam);
 }
 
 void BeamFan::LookAtPolygon(const Vector2d* vertices, std::size_t count) {
@@ -198,10 +179,9 @@ void BeamFan::LookAtPolygon(const Vector2d* vertices, std::size_t count) {
 
 void BeamFan::LookAtEdge(const Vector2d& from, const Vector2d& to) {
   const double distance_squared = DistanceSquared(from, to);
-  if (distance_squared > range_squared_) return;
   const double low = Bearing(to);
   ForEachTurn(low, low + Width(low, Bearing(from)), [&](const Span& span) {
-    if (IsHidden(span, distance_squared)) return;
+    if (IsHidden(span, distance_squared, 0.0)) return;
     DrawEdge(from, to, std::sqrt(distance_squared), span);
   });
 }
@@ -224,36 +204,24 @@ void BeamFan::DrawEdge(const Vector2d& from, const Vector2d& to, double nearest,
     range = range < nearest ? nearest : range;
     ranges_[beam] = range < ranges_[beam] ? range : ranges_[beam];
   }
-  ForEachBlock(span, [](const auto&, const auto&, auto*) {});
-}
-
-void BeamFan::CoverAll() {
-  std::fill(ranges_.begin(), ranges_.end(), 0.0);
-  std::fill(reach_squared_.begin(), reach_squared_.end(), 0.0);
-}
-
-template <typename Draw>
-void BeamFan::ForEachBlock(const Span& span, const Draw& draw) {
-  const auto visit = [&](int block, auto size) {
-    using Beams = Eigen::Array<double, decltype(size)::value, 1, 0, kBlock, 1>;
-    const int first = block * kBlock;
-    const int count = std::min<int>(kBlock, ranges_.size() - first);
-    Eigen::Map<Beams> at(&ranges_[first], count);
-    Beams ranges = at;
-    draw(Beams(Eigen::Map<const Beams>(&x_[first], count)),
-         Beams(Eigen::Map<const Beams>(&y_[first], count)), &ranges);
-    at = ranges;
-    const double farthest = ranges.maxCoeff();
-    reach_squared_[block] = std::min(range_squared_, farthest * farthest);
-  };
-  // Of a size that the compiler knows, but for what is left at the end.
   const int whole = static_cast<int>(ranges_.size()) / kBlock;
   const int last = span.last / kBlock;
   for (int block = span.first / kBlock; block <= std::min(last, whole - 1);
        ++block) {
-    visit(block, std::integral_constant<int, kBlock>());
+    NoteReach(block, Block(&ranges_[block * kBlock]).maxCoeff());
   }
-  if (last == whole) visit(last, std::integral_constant<int, Eigen::Dynamic>());
+  if (last < whole) return;
+  NoteReach(whole, *std::max_element(ranges_.begin() + whole * kBlock,
+                                     ranges_.end()));
+}
+
+void BeamFan::NoteReach(int block, double farthest) {
+  reach_[block] = std::min(range_, farthest);
+}
+
+void BeamFan::CoverAll() {
+  std::fill(ranges_.begin(), ranges_.end(), 0.0);
+  std::fill(reach_.begin(), reach_.end(), 0.0);
 }
 
 }  // namespace vfh_astar

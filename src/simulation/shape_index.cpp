@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 namespace vfh_astar {
 namespace {
 
-constexpr std::size_t kMostTargets = 8;  ///< in a box that is not divided.
+/// Waiting at once: parts are divided into halves of about the same number of
+/// shapes, so that no world that fits into memory is deeper than 12 nodes.
+constexpr std::size_t kMostWaiting = 12 * kLanes;
 
-/// Boxes are divided into halves of the same number of shapes, so that no
-/// world that fits into memory is deeper.
-constexpr std::size_t kMostDeep = 64;
+/// Where to divide a part: in the middle, but so that leaves are full.
+std::size_t MiddleOf(std::size_t first, std::size_t last) {
+  const std::size_t leaves = (last - first + kLanes - 1) / kLanes;
+  return first + leaves / 2 * kLanes;
+}
 
 }  // namespace
 
@@ -42,79 +45,130 @@ ShapeIndex::Box ShapeIndex::BoxOf(const Shape& shape) {
 
 ShapeIndex::ShapeIndex(std::vector<Shape> shapes) : shapes_(std::move(shapes)) {
   if (shapes_.empty()) return;
-  std::vector<Box> boxes;
-  for (const Shape& shape : shapes_) boxes.push_back(BoxOf(shape));
-  std::vector<std::int32_t> order(shapes_.size());
-  std::iota(order.begin(), order.end(), 0);
-  nodes_.resize(1);
-  Divide(0, &order, 0, order.size(), boxes);
-  for (const std::int32_t shape : order) {
-    AddTarget(shape);
-    boxes_.push_back(boxes[shape]);
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    targets_.push_back({BoxOf(shapes_[i]), static_cast<std::int32_t>(i)});
   }
+  root_ = Divide(0, targets_.size());
 }
 
-void ShapeIndex::Divide(std::size_t node, std::vector<std::int32_t>* order,
-                        std::size_t first, std::size_t last,
-                        const std::vector<Box>& boxes) {
-  Box box = boxes[(*order)[first]];
-  for (std::size_t i = first; i < last; ++i) box.Include(boxes[(*order)[i]]);
-  nodes_[node].box = box;
-  if (last - first <= kMostTargets) {
-    nodes_[node].first = static_cast<std::int32_t>(first);
-    nodes_[node].target_count = static_cast<std::int32_t>(last - first);
-    return;
-  }
+ShapeIndex::Box ShapeIndex::BoxAround(std::size_t first,
+                                      std::size_t last) const {
+  Box box = targets_[first].box;
+  for (std::size_t i = first; i < last; ++i) box.Include(targets_[i].box);
+  return box;
+}
+
+void ShapeIndex::Halve(std::size_t first, std::size_t middle,
+                       std::size_t last) {
+  const Box box = BoxAround(first, last);
   const Eigen::Vector2d size = box.max - box.min;
   const int axis = size.x() >= size.y() ? 0 : 1;
-  const auto is_before = [&](std::int32_t a, std::int32_t b) {
-    const double at_a = boxes[a].min[axis] + boxes[a].max[axis];
-    const double at_b = boxes[b].min[axis] + boxes[b].max[axis];
-    return at_a != at_b ? at_a < at_b : a < b;
+  const auto is_before = [axis](const Target& a, const Target& b) {
+    const double at_a = a.box.min[axis] + a.box.max[axis];
+    const double at_b = b.box.min[axis] + b.box.max[axis];
+    return at_a != at_b ? at_a < at_b : a.shape < b.shape;
   };
-  const std::size_t middle = first + (last - first) / 2;
-  std::nth_element(order->begin() + first, order->begin() + middle,
-                   order->begin() + last, is_before);
-  const std::size_t children = nodes_.size();
-  nodes_[node].first = static_cast<std::int32_t>(children);
-  nodes_.resize(children + 2);
-  Divide(children, order, first, middle, boxes);
-  Divide(children + 1, order, middle, last, boxes);
+  std::nth_element(targets_.begin() + first, targets_.begin() + middle,
+                   targets_.begin() + last, is_before);
 }
 
-void ShapeIndex::AddTarget(std::int32_t shape) {
-  const Shape& added = shapes_[shape];
-  targets_.push_back({added.center, added.radius,
-                      static_cast<std::int32_t>(vertices_.size()),
-                      static_cast<std::int32_t>(added.vertices.size()), shape});
-  vertices_.insert(vertices_.end(), added.vertices.begin(),
-                   added.vertices.end());
+std::int32_t ShapeIndex::Divide(std::size_t first, std::size_t last) {
+  if (last - first <= kLanes) return AddLeaf(first, last);
+  // The largest part is halved until there are enough.
+  std::vector<std::size_t> ends = {first, last};
+  while (ends.size() <= kLanes) {
+    std::size_t largest = 1;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      if (ends[i] - ends[i - 1] > ends[largest] - ends[largest - 1]) {
+        largest = i;
+      }
+    }
+    const std::size_t begin = ends[largest - 1], end = ends[largest];
+    if (end - begin <= kLanes) break;
+    const std::size_t middle = MiddleOf(begin, end);
+    Halve(begin, middle, end);
+    ends.insert(ends.begin() + largest, middle);
+  }
+  const std::size_t node = nodes_.size();
+  nodes_.emplace_back();
+  nodes_[node].count = static_cast<std::int32_t>(ends.size()) - 1;
+  for (int i = 0; i < kLanes; ++i) {
+    // What fills lanes is of no account; that of a part is as good as any.
+    const std::size_t part = std::min<std::size_t>(i, ends.size() - 2);
+    const Box box = BoxAround(ends[part], ends[part + 1]);
+    nodes_[node].boxes.min_x[i] = box.min.x();
+    nodes_[node].boxes.min_y[i] = box.min.y();
+    nodes_[node].boxes.max_x[i] = box.max.x();
+    nodes_[node].boxes.max_y[i] = box.max.y();
+  }
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const std::int32_t child = Divide(ends[i], ends[i + 1]);
+    nodes_[node].children[i] = child;
+  }
+  return static_cast<std::int32_t>(node);
+}
+
+std::int32_t ShapeIndex::AddLeaf(std::size_t first, std::size_t last) {
+  Leaf leaf;
+  leaf.first_target = static_cast<std::int32_t>(first);
+  leaf.target_count = static_cast<std::int32_t>(last - first);
+  leaf.first_polygon = static_cast<std::int32_t>(polygons_.size());
+  leaf.discs.x.fill(0.0);
+  leaf.discs.y.fill(0.0);
+  leaf.discs.radius.fill(0.0);
+  for (std::size_t i = first; i < last; ++i) {
+    const Shape& shape = shapes_[targets_[i].shape];
+    if (shape.IsDisc()) {
+      leaf.discs.x[leaf.disc_count] = shape.center.x();
+      leaf.discs.y[leaf.disc_count] = shape.center.y();
+      leaf.discs.radius[leaf.disc_count++] = shape.radius;
+      continue;
+    }
+    polygons_.push_back({static_cast<std::int32_t>(vertices_.size()),
+                         static_cast<std::int32_t>(shape.vertices.size())});
+    vertices_.insert(vertices_.end(), shape.vertices.begin(),
+                     shape.vertices.end());
+    ++leaf.polygon_count;
+  }
+  leaves_.push_back(leaf);
+  return -static_cast<std::int32_t>(leaves_.size());
+}
+
+void ShapeIndex::LookAtLeaf(const Leaf& leaf, BeamFan* fan) const {
+  if (leaf.disc_count > 0) fan->LookAtDiscs(leaf.discs, leaf.disc_count);
+  for (std::int32_t i = 0; i < leaf.polygon_count; ++i) {
+    const Polygon& polygon = polygons_[leaf.first_polygon + i];
+    fan->LookAtPolygon(&vertices_[polygon.first_vertex], polygon.vertex_count);
+  }
 }
 
 void ShapeIndex::CastRays(BeamFan* fan) const {
-  if (nodes_.empty()) return;
-  std::array<std::int32_t, kMostDeep> waiting;
+  if (shapes_.empty()) return;
+  struct Part {
+    std::int32_t index;
+    View view;
+  };
+  std::array<Part, kMostWaiting> waiting;
   std::size_t count = 0;
-  waiting[count++] = 0;
+  waiting[count++] = {root_, {0.0, 2.0 * kPi, 0.0, 0.0}};
   while (count > 0) {
-    const Node& node = nodes_[waiting[--count]];
-    if (!fan->MaySee(node.box.min, node.box.max)) continue;
-    if (node.target_count == 0) {
-      const bool second_is_nearer =
-          nodes_[node.first + 1].box.DistanceSquared(fan->origin()) <
-          nodes_[node.first].box.DistanceSquared(fan->origin());
-      waiting[count++] = node.first + (second_is_nearer ? 0 : 1);
-      waiting[count++] = node.first + (second_is_nearer ? 1 : 0);
+    const Part& part = waiting[--count];
+    if (!fan->MaySee(part.view)) continue;
+    if (part.index < 0) {
+      LookAtLeaf(leaves_[-1 - part.index], fan);
       continue;
     }
-    for (std::int32_t i = 0; i < node.target_count; ++i) {
-      const Target& target = targets_[node.first + i];
-      if (target.vertex_count == 0) {
-        fan->LookAtDisc(target.center, target.radius);
-      } else {
-        fan->LookAtPolygon(&vertices_[target.first_vertex],
-                           target.vertex_count);
-      }
+    const Node& node = nodes_[part.index];
+    const ViewLanes views = fan->ViewOf(node.boxes);
+    const std::array<int, kLanes> places =
+        PlacesFromFar(views.distance_squared);
+    std::array<int, kLanes> from_far;
+    for (int i = 0; i < kLanes; ++i) from_far[places[i]] = i;
+    for (const int i : from_far) {
+      if (i >= node.count) continue;
+      const View view = views.At(i, 0.0);
+      if (!fan->MaySee(view)) continue;
+      waiting[count++] = {node.children[i], view};
     }
   }
 }
@@ -122,22 +176,27 @@ void ShapeIndex::CastRays(BeamFan* fan) const {
 std::vector<int> ShapeIndex::Near(const Eigen::Vector2d& point,
                                   double radius) const {
   std::vector<int> near;
-  if (nodes_.empty()) return near;
-  std::array<std::int32_t, kMostDeep> waiting;
+  if (shapes_.empty()) return near;
+  std::array<std::int32_t, kMostWaiting> waiting;
   std::size_t count = 0;
-  waiting[count++] = 0;
+  waiting[count++] = root_;
   while (count > 0) {
-    const Node& node = nodes_[waiting[--count]];
-    if (node.box.DistanceSquared(point) > radius * radius) continue;
-    if (node.target_count == 0) {
-      waiting[count++] = node.first;
-      waiting[count++] = node.first + 1;
+    const std::int32_t part = waiting[--count];
+    if (part >= 0) {
+      const Node& node = nodes_[part];
+      for (std::int32_t i = 0; i < node.count; ++i) {
+        const Box box{{node.boxes.min_x[i], node.boxes.min_y[i]},
+                      {node.boxes.max_x[i], node.boxes.max_y[i]}};
+        if (box.DistanceSquared(point) > radius * radius) continue;
+        waiting[count++] = node.children[i];
+      }
       continue;
     }
-    for (std::int32_t i = 0; i < node.target_count; ++i) {
-      const std::int32_t target = node.first + i;
-      if (boxes_[target].DistanceSquared(point) > radius * radius) continue;
-      near.push_back(targets_[target].shape);
+    const Leaf& leaf = leaves_[-1 - part];
+    for (std::int32_t i = 0; i < leaf.target_count; ++i) {
+      const Target& target = targets_[leaf.first_target + i];
+      if (target.box.DistanceSquared(point) > radius * radius) continue;
+      near.push_back(target.shape);
     }
   }
   std::sort(near.begin(), near.end());

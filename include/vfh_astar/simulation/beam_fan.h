@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "vfh_astar/geometry.h"
+#include "vfh_astar/simulation/fan_lanes.h"
 #include "vfh_astar/simulation/shape.h"
 
 namespace vfh_astar {
@@ -30,13 +31,19 @@ class BeamFan {
   void LookAt(const Shape& shape);
   /// @param[in] radius m, above 0.
   void LookAtDisc(const Eigen::Vector2d& center, double radius);
+  /// @param[in] count of the lanes that are filled with discs.
+  void LookAtDiscs(const DiscLanes& discs, int count);
   /// @param[in] vertices `count` of them, convex, counter-clockwise.
   void LookAtPolygon(const Eigen::Vector2d* vertices, std::size_t count);
 
-  /// False when nothing in a box along the axes would change a range.
-  bool MaySee(const Eigen::Vector2d& min, const Eigen::Vector2d& max) const;
+  /// What of the view boxes may fill.
+  ViewLanes ViewOf(const BoxLanes& boxes) const {
+    return ViewBoxes(frame_, boxes);
+  }
 
-  const Eigen::Vector2d& origin() const { return origin_; }
+  /// False when nothing in that part of the view, at that distance or farther,
+  /// would change a range.
+  bool MaySee(const View& view) const;
 
   /// m by beam: to the nearest shape shown, 0 when the origin lies in one,
   /// infinity for none. What is beyond the range counts or does not.
@@ -52,33 +59,33 @@ class BeamFan {
   /// first beam.
   Eigen::Vector2d ToFan(const Eigen::Vector2d& point) const;
   Span BeamsBetween(double low, double high) const;
-  bool IsHidden(const Span& span, double distance_squared) const;
+  /// True when nothing at a distance less a radius would change a range.
+  bool IsHidden(const Span& span, double distance_squared,
+                double radius) const;
   void LookAtEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-  void DrawDisc(const Eigen::Vector2d& center, double radius, Span span);
+  void DrawDisc(const Eigen::Vector2d& center, double radius,
+                const Span& span);
   void DrawEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                 double nearest, Span span);
   void CoverAll();
 
-  /// Calls draw(x, y, ranges) for each block that has beams of the span, with
-  /// the arrays of all the beams in it, and notes how far they reach then.
-  template <typename Draw>
-  void ForEachBlock(const Span& span, const Draw& draw);
+  /// Notes how far a block of beams reaches when they end at `farthest`.
+  void NoteReach(int block, double farthest);
 
   /// Calls draw(span) for each run of beams between two angles (rad from the
-  /// first beam, `low` above -2 pi).
+  /// first beam, `low` above -2 pi) that are off by kBearingError at most.
   template <typename Draw>
   void ForEachTurn(double low, double high, const Draw& draw) const;
 
   double first_angle_;
   double beams_per_rad_;
   double full_angle_;          ///< rad from the first beam to the last.
-  std::vector<double> x_, y_;  ///< of the beams' unit vectors.
-  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d axis_ = Eigen::Vector2d::UnitX();  ///< the first beam.
-  double range_squared_ = 0.0;
+  std::vector<double> x_, y_;  ///< of the beams' unit vectors; whole blocks.
+  FanFrame frame_;
+  double range_ = 0.0;
   std::vector<double> ranges_;
-  /// By block of beams: m^2 beyond which none of them would meet anything.
-  std::vector<double> reach_squared_;
+  /// By block of beams: m beyond which none of them would meet anything.
+  std::vector<double> reach_;
 };
 
 }  // namespace vfh_astar

@@ -2,11 +2,13 @@
 #define VFH_ASTAR_SIMULATION_SHAPE_INDEX_H_
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "vfh_astar/simulation/beam_fan.h"
+#include "vfh_astar/simulation/fan_lanes.h"
 #include "vfh_astar/simulation/shape.h"
 
 namespace vfh_astar {
@@ -36,33 +38,51 @@ class ShapeIndex {
     void Include(const Box& other);
     double DistanceSquared(const Eigen::Vector2d& point) const;
   };
-  /// A box around other nodes or around shapes.
+  /// Up to kLanes parts beside each other, and a box around each.
   struct Node {
-    Box box;
-    /// Of its targets, or of its two children.
-    std::int32_t first = 0;
-    std::int32_t target_count = 0;  ///< 0: has children.
+    BoxLanes boxes;
+    /// The index of a node, or -1 less that of a leaf.
+    std::array<std::int32_t, kLanes> children;
+    std::int32_t count;
   };
-  /// A shape as rays see it, beside those that are near to it.
+  /// Up to kLanes shapes that lie near to each other.
+  struct Leaf {
+    DiscLanes discs;
+    std::int32_t disc_count = 0;
+    std::int32_t first_polygon = 0;
+    std::int32_t polygon_count = 0;
+    std::int32_t first_target = 0;  ///< of the shapes in targets_.
+    std::int32_t target_count = 0;
+  };
+  /// A polygon's vertices, beside those of polygons near to it.
+  struct Polygon {
+    std::int32_t first_vertex;
+    std::int32_t vertex_count;
+  };
+  /// A shape and a box around it; rays do not ask for them.
   struct Target {
-    Eigen::Vector2d center;
-    double radius;              ///< of a disc,
-    std::int32_t first_vertex;  ///< or of a polygon,
-    std::int32_t vertex_count;  ///< else 0.
-    std::int32_t shape;         ///< its index.
+    Box box;
+    std::int32_t shape;  ///< its index.
   };
 
   static Box BoxOf(const Shape& shape);
-  /// Sorts order[first] to order[last - 1] into the node and its children.
-  void Divide(std::size_t node, std::vector<std::int32_t>* order,
-              std::size_t first, std::size_t last,
-              const std::vector<Box>& boxes);
-  void AddTarget(std::int32_t shape);
+  /// Around targets_[first] to targets_[last - 1].
+  Box BoxAround(std::size_t first, std::size_t last) const;
+  /// Sorts these targets so that those from the middle on lie beyond the rest.
+  void Halve(std::size_t first, std::size_t middle, std::size_t last);
+  /// Sorts targets_[first] to targets_[last - 1], which are kLanes or fewer,
+  /// or more, into a leaf or a node with all below it.
+  /// @return the index as Node has it.
+  std::int32_t Divide(std::size_t first, std::size_t last);
+  std::int32_t AddLeaf(std::size_t first, std::size_t last);
+  void LookAtLeaf(const Leaf& leaf, BeamFan* fan) const;
 
   std::vector<Shape> shapes_;
-  std::vector<Node> nodes_;  ///< the root first; none without shapes.
+  std::vector<Node> nodes_;
+  std::vector<Leaf> leaves_;
+  std::int32_t root_ = 0;  ///< as Node has it; nothing without shapes.
   std::vector<Target> targets_;
-  std::vector<Box> boxes_;  ///< around each target; rays do not ask for them.
+  std::vector<Polygon> polygons_;
   std::vector<Eigen::Vector2d> vertices_;
 };
 
