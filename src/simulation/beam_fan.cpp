@@ -59,7 +59,7 @@ Vector2d BeamFan::ToFan(const Vector2d& point) const {
   return {frame_.axis.dot(offset), Cross(frame_.axis, offset)};
 }
 
-BeamFan::Span BeamFan::BeamsBetween(double low, double high) const {
+inline BeamFan::Span BeamFan::BeamsBetween(double low, double high) const {
   // Rounded up and down; the cast cuts off towards 0.
   const double first = (low - kBearingError) * beams_per_rad_ + 1.0;
   const double last = (high + kBearingError) * beams_per_rad_;
@@ -78,8 +78,8 @@ void BeamFan::ForEachTurn(double low, double high, const Draw& draw) const {
   }
 }
 
-bool BeamFan::IsHidden(const Span& span, double distance_squared,
-                       double radius) const {
+inline bool BeamFan::IsHidden(const Span& span, double distance_squared,
+                              double radius) const {
   // Four blocks at a time, some more than once, as how many there are would be
   // guessed wrong.
   const int last = span.last / kBlock;
@@ -92,6 +92,10 @@ bool BeamFan::IsHidden(const Span& span, double distance_squared,
     if (reach * reach >= distance_squared) return false;
   }
   return true;
+}
+
+inline void BeamFan::NoteReach(int block, double farthest) {
+  reach_[block] = std::min(range_, farthest);
 }
 
 bool BeamFan::MaySee(const View& view) const {
@@ -156,8 +160,7 @@ void BeamFan::DrawDisc(const Vector2d& center, double radius,
   const int beam = whole * kBlock;
   Lanes rest = {};
   std::copy(ranges_.begin() + beam, ranges_.end(), rest.begin());
-  NoteReach(whole,
-            MeetDisc(center, radius, &x_[beam], &y_[beam], rest.data()));
+  NoteReach(whole, MeetDisc(center, radius, &x_[beam], &y_[beam], rest.data()));
   std::copy_n(rest.begin(), ranges_.size() - beam, ranges_.begin() + beam);
 }
 
@@ -211,12 +214,8 @@ void BeamFan::DrawEdge(const Vector2d& from, const Vector2d& to, double nearest,
     NoteReach(block, Block(&ranges_[block * kBlock]).maxCoeff());
   }
   if (last < whole) return;
-  NoteReach(whole, *std::max_element(ranges_.begin() + whole * kBlock,
-                                     ranges_.end()));
-}
-
-void BeamFan::NoteReach(int block, double farthest) {
-  reach_[block] = std::min(range_, farthest);
+  NoteReach(whole,
+            *std::max_element(ranges_.begin() + whole * kBlock, ranges_.end()));
 }
 
 void BeamFan::CoverAll() {

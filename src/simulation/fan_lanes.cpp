@@ -109,8 +109,8 @@ ViewLanes ViewDiscs(const FanFrame& frame, const DiscLanes& discs,
     const double ratio = Ratio(x, y);
     // Not more than the distance and 2 % less at most, without a root: between
     // 0 and 1 the root of 1 + s lies above its chord.
-    const double near = Max(std::abs(x), std::abs(y)) *
-                        (1.0 + 0.414213 * ratio * ratio);
+    const double near =
+        Max(std::abs(x), std::abs(y)) * (1.0 + 0.414213 * ratio * ratio);
     // Not less than the arc sine, and equal to it where it is a right angle.
     const double sine = radius / near;
     const double half = sine * (1.0 + (0.5 * kPi - 1.0) * sine * sine);
@@ -132,7 +132,8 @@ std::array<int, kLanes> PlacesFromFar(const Lanes& distances) {
   for (int i = 0; i < kLanes; ++i) {
     int place = 0;
     for (int j = 0; j < kLanes; ++j) {
-      place += j < i ? distances[j] >= distances[i] : distances[j] > distances[i];
+      place +=
+          j < i ? distances[j] >= distances[i] : distances[j] > distances[i];
     }
     places[i] = place;
   }

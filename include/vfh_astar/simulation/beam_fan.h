@@ -60,11 +60,9 @@ class BeamFan {
   Eigen::Vector2d ToFan(const Eigen::Vector2d& point) const;
   Span BeamsBetween(double low, double high) const;
   /// True when nothing at a distance less a radius would change a range.
-  bool IsHidden(const Span& span, double distance_squared,
-                double radius) const;
+  bool IsHidden(const Span& span, double distance_squared, double radius) const;
   void LookAtEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-  void DrawDisc(const Eigen::Vector2d& center, double radius,
-                const Span& span);
+  void DrawDisc(const Eigen::Vector2d& center, double radius, const Span& span);
   void DrawEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                 double nearest, Span span);
   void CoverAll();

@@ -26,6 +26,17 @@ Shape RandomShape(std::mt19937* random) {
                  {4.0 * size(*random), size(*random)});
 }
 
+/// Whether anything in a box may be seen.
+bool MaySee(const BeamFan& fan, const Eigen::Vector2d& min,
+            const Eigen::Vector2d& max) {
+  BoxLanes boxes;
+  boxes.min_x.fill(min.x());
+  boxes.min_y.fill(min.y());
+  boxes.max_x.fill(max.x());
+  boxes.max_y.fill(max.y());
+  return fan.MaySee(fan.ViewOf(boxes).At(kLanes - 1, 0.0));
+}
+
 /// Distances of the beams, where it counts whether they are within the range.
 void ExpectRanges(const BeamFan& fan, const Pose2D& pose, double first_angle,
                   double increment, double range,
@@ -150,17 +161,43 @@ TEST(BeamFanTest, NoBeamSlipsBetweenShapesThatTouch) {
   }
 }
 
+TEST(BeamFanTest, DiscsBesideEachOtherAreAsOneAfterTheOther) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-8.0, 8.0);
+  std::uniform_real_distribution<double> size(0.02, 1.0);
+  for (int scene = 0; scene < 500; ++scene) {
+    // Not in whole blocks of beams either, and more than all around.
+    const int beams = scene % 2 == 0 ? 720 : 541;
+    const double increment = scene % 3 == 0 ? 0.0131 : 0.0065;
+    const Pose2D pose(place(random), place(random), place(random));
+    BeamFan at_once(beams, 0.3, increment);
+    BeamFan in_turn(beams, 0.3, increment);
+    at_once.Aim(pose, 30.0);
+    in_turn.Aim(pose, 30.0);
+    const int count = 1 + scene % kLanes;
+    DiscLanes discs = {};
+    for (int i = 0; i < count; ++i) {
+      discs.x[i] = place(random);
+      discs.y[i] = place(random);
+      discs.radius[i] = size(random);
+      in_turn.LookAtDisc({discs.x[i], discs.y[i]}, discs.radius[i]);
+    }
+    at_once.LookAtDiscs(discs, count);
+    EXPECT_EQ(at_once.ranges(), in_turn.ranges());
+  }
+}
+
 TEST(BeamFanTest, WhatIsHiddenByHand) {
   BeamFan fan(181, -0.5 * kPi, kPi / 180.0);
   fan.Aim({0.0, 0.0, 0.0}, 10.0);
-  EXPECT_TRUE(fan.MaySee({4.0, -0.5}, {5.0, 0.5}));
-  EXPECT_FALSE(fan.MaySee({-5.0, -0.5}, {-4.0, 0.5})) << "behind its back";
-  EXPECT_FALSE(fan.MaySee({11.0, -0.5}, {12.0, 0.5})) << "out of range";
+  EXPECT_TRUE(MaySee(fan, {4.0, -0.5}, {5.0, 0.5}));
+  EXPECT_FALSE(MaySee(fan, {-5.0, -0.5}, {-4.0, 0.5})) << "behind its back";
+  EXPECT_FALSE(MaySee(fan, {11.0, -0.5}, {12.0, 0.5})) << "out of range";
   fan.LookAt(MakeBox({3.0, 0.0, 0.0}, {0.1, 4.0}));
-  EXPECT_FALSE(fan.MaySee({4.0, -0.5}, {5.0, 0.5}));
-  EXPECT_TRUE(fan.MaySee({4.0, -0.5}, {5.0, 4.0})) << "it looks out";
-  EXPECT_TRUE(fan.MaySee({2.0, -0.5}, {5.0, 0.5})) << "it begins before it";
-  EXPECT_TRUE(fan.MaySee({-1.0, -1.0}, {5.0, 1.0})) << "around the origin";
+  EXPECT_FALSE(MaySee(fan, {4.0, -0.5}, {5.0, 0.5}));
+  EXPECT_TRUE(MaySee(fan, {4.0, -0.5}, {5.0, 4.0})) << "it looks out";
+  EXPECT_TRUE(MaySee(fan, {2.0, -0.5}, {5.0, 0.5})) << "it begins before it";
+  EXPECT_TRUE(MaySee(fan, {-1.0, -1.0}, {5.0, 1.0})) << "around the origin";
 }
 
 TEST(BeamFanTest, HidesNothingThatWouldBeSeen) {
@@ -178,7 +215,7 @@ TEST(BeamFanTest, HidesNothingThatWouldBeSeen) {
       const Eigen::Vector2d min(place(random), place(random));
       const Eigen::Vector2d max =
           min + Eigen::Vector2d(size(random), size(random));
-      if (fan.MaySee(min, max)) continue;
+      if (MaySee(fan, min, max)) continue;
       ++hidden;
       BeamFan looks_anyway = fan;
       looks_anyway.LookAt(MakeBox(Pose2D(0.5 * (min + max), 0.0), max - min));
