@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <deque>
-#include <limits>
 #include <utility>
 
 #include "vfh_astar/navigation/arrival.h"
 #include "vfh_astar/navigation/driver.h"
 #include "vfh_astar/navigation/failure_record.h"
+#include "vfh_astar/navigation/goal_record.h"
 #include "vfh_astar/navigation/oscillation_monitor.h"
 #include "vfh_astar/navigation/recovery.h"
+#include "vfh_astar/navigation/request_start.h"
 #include "vfh_astar/navigation/stop_burst.h"
 #include "vfh_astar/navigation/trajectory_watch.h"
 
@@ -21,11 +21,6 @@ namespace {
 constexpr double kRetryDelay = 0.5;    ///< s between two tries to plan.
 constexpr double kHeldUp = 0.5;        ///< s that end a blocked recovery.
 constexpr double kLongestCycle = 0.2;  ///< s counted for one cycle.
-
-struct Goal {
-  std::string id;
-  Pose2D pose;
-};
 
 /// Something said from outside between two cycles.
 struct Order {
@@ -71,13 +66,13 @@ class Navigator::Impl {
     if (was_moving && !MayMove()) stop_.Begin(*time_);
 
     NavigatorOutput output;
-    output.command = Command(duration, &output.status.limited);
+    bool limited = false;
+    output.command = Command(duration, &limited);
     output.request = Request();
-    if (!results_.empty()) {
-      output.result = std::move(results_.front());
-      results_.pop_front();
-    }
-    DescribeTo(&output.status);
+    output.result = record_.TakeResult();
+    output.status = Describe(machine_.state(), reason_, record_, observation_,
+                             driver_, watch_.avoiding(), parameters_);
+    output.status.limited = limited;
     return output;
   }
 
@@ -93,15 +88,12 @@ class Navigator::Impl {
   void Raise(Event event, const std::string& detail = "");
   void Perform(Action action);
   void EndGoal(Outcome outcome, const std::string& message);
-  std::string SuccessMessage() const;
   void ForgetTrajectory();
   GuardValues Guards() const;
   bool MayMove() const { return IsDriving(machine_.state()) || is_yielding_; }
   std::optional<Twist2D> Command(double duration, bool* limited);
   Twist2D Wanted(double duration);
   std::optional<MotionRequest> Request();
-  bool IsOnReference() const;
-  void DescribeTo(NavigatorStatus* status) const;
 
   NavigatorParameters parameters_;
   StateMachine machine_;
@@ -114,16 +106,12 @@ class Navigator::Impl {
 
   std::deque<Order> orders_;
   std::deque<MotionAnswer> answers_;
-  std::deque<GoalResult> results_;
   std::optional<double> time_;
   Observation observation_;
   std::string reason_;
 
   // Of the present goal.
-  Goal goal_;
-  int goal_number_ = 0;
-  int followed_goal_number_ = 0;  ///< whose trajectory is being followed.
-  int replans_ = 0;
+  GoalRecord record_;
   FailureRecord failure_;
 
   double planning_since_ = 0.0;
@@ -145,9 +133,7 @@ void Navigator::Impl::TakeOrders() {
     if (HasGoal(machine_.state())) {
       EndGoal(Outcome::kCancelled, "replaced by a new goal");
     }
-    goal_ = order.goal;
-    ++goal_number_;
-    replans_ = 0;
+    record_.Begin(order.goal);
     failure_.Clear();
     recovery_.ResetAttempts();
     oscillation_.Reset();
@@ -212,8 +198,7 @@ void Navigator::Impl::WatchTrajectory() {
       watch_.Update(machine_.state(), observation_, driver_.follower());
   if (!notice) return;
   // The old goal's trajectory may end before the new goal's has come.
-  const bool is_old = followed_goal_number_ != goal_number_;
-  if (is_old && notice->event == Event::kArrived) return;
+  if (record_.IsFollowingOld() && notice->event == Event::kArrived) return;
   if (notice->event == Event::kStuck) {
     failure_.Note(Outcome::kStuck, "the robot made no progress");
   }
@@ -274,7 +259,7 @@ void Navigator::Impl::Perform(Action action) {
     case Action::kNone:
       break;
     case Action::kRequestPlan:
-      ++replans_;
+      record_.NotePlanning();
       schedule_.Want(*time_, 0.0);
       if (machine_.state() == State::kPlanning) {
         ForgetTrajectory();
@@ -290,7 +275,7 @@ void Navigator::Impl::Perform(Action action) {
       driver_.follower().Follow(std::move(answer_), schedule_.join(),
                                 *time_ - schedule_.start_time());
       watch_.Reset();
-      followed_goal_number_ = goal_number_;
+      record_.NoteFollowing();
       break;
     case Action::kStop:
       schedule_.Clear();
@@ -307,7 +292,9 @@ void Navigator::Impl::Perform(Action action) {
       EndGoal(Outcome::kCancelled, "cancelled");
       break;
     case Action::kReportSuccess:
-      EndGoal(Outcome::kSuccess, SuccessMessage());
+      EndGoal(Outcome::kSuccess,
+              ArrivalMessage(driver_.follower().End(), record_.goal().pose,
+                             parameters_.goal));
       break;
     case Action::kReportFailure:
       EndGoal(failure_.outcome(), failure_.message());
@@ -316,27 +303,9 @@ void Navigator::Impl::Perform(Action action) {
 }
 
 void Navigator::Impl::EndGoal(Outcome outcome, const std::string& message) {
-  results_.push_back({goal_.id, outcome, message});
+  record_.End(outcome, message);
   schedule_.Clear();
   if (!HasGoal(machine_.state())) ForgetTrajectory();
-}
-
-std::string Navigator::Impl::SuccessMessage() const {
-  const Pose2D end = driver_.follower().End();
-  const double moved = (end.position() - goal_.pose.position()).norm();
-  const double turned = NormalizeAngle(end.theta - goal_.pose.theta);
-  char text[128] = "goal reached";
-  if (moved > parameters_.goal.xy_goal_tolerance) {
-    std::snprintf(text, sizeof(text),
-                  "reached the nearest free place, %.2f m from the goal",
-                  moved);
-  } else if (std::abs(turned) > parameters_.goal.yaw_goal_tolerance) {
-    std::snprintf(text, sizeof(text),
-                  "goal reached, but the trajectory did not turn to its "
-                  "heading, which is %.2f rad off",
-                  turned);
-  }
-  return text;
 }
 
 void Navigator::Impl::ForgetTrajectory() {
@@ -381,18 +350,6 @@ Twist2D Navigator::Impl::Wanted(double duration) {
   return driver_.Track(observation_, duration, hold_position);
 }
 
-bool Navigator::Impl::IsOnReference() const {
-  const TrajectoryFollower& follower = driver_.follower();
-  if (!follower.active() || follower.pending() || watch_.avoiding())
-    return false;
-  const Eigen::Vector3d error = driver_.Error(observation_);
-  const Twist2D reference = follower.At(0.0).twist;
-  return error.head<2>().norm() < 0.5 * parameters_.replan.max_error &&
-         std::abs(error[2]) < 0.5 * parameters_.replan.max_heading_error &&
-         std::abs(reference.v - observation_.twist.v) <
-             0.25 * parameters_.limits.max_v;
-}
-
 std::optional<MotionRequest> Navigator::Impl::Request() {
   if (!schedule_.IsDue(*time_) || observation_.fault) return std::nullopt;
   const bool standing = IsStanding(observation_.twist, parameters_.goal);
@@ -401,60 +358,16 @@ std::optional<MotionRequest> Navigator::Impl::Request() {
       standing || *time_ - planning_since_ > parameters_.goal.settle_time;
   if (machine_.state() == State::kPlanning && !settled) return std::nullopt;
 
+  const RequestStart start = ChooseStart(
+      driver_, observation_, watch_.avoiding(), *time_, parameters_);
   MotionRequest request;
-  std::optional<double> join;
-  const double latency = parameters_.replan.latency;
-  if (IsOnReference()) {
-    join = driver_.follower().clock() + latency;
-    request.start = driver_.follower().At(latency);
-    request.start_time = *time_ + latency;
-  } else if (standing) {
-    request.start.pose = observation_.pose;
-    request.start_time = *time_;
-  } else {
-    request.start.twist = driver_.previous();
-    request.start.pose =
-        Integrate(observation_.pose, request.start.twist, latency);
-    request.start_time = *time_ + latency;
-  }
-  request.id = schedule_.Send(*time_, request.start_time, join);
-  request.goal_id = goal_.id;
-  request.goal = goal_.pose;
+  request.start = start.start;
+  request.start_time = start.time;
+  request.id = schedule_.Send(*time_, start.time, start.join);
+  request.goal_id = record_.goal().id;
+  request.goal = record_.goal().pose;
   request.tolerance = parameters_.goal.tolerance;
   return request;
-}
-
-void Navigator::Impl::DescribeTo(NavigatorStatus* status) const {
-  status->state = machine_.state();
-  const bool is_held = observation_.fault && HasGoal(status->state);
-  status->reason = is_held ? observation_.fault->message : reason_;
-  status->replans = std::max(0, replans_ - 1);
-  if (HasGoal(status->state)) status->goal_id = goal_.id;
-  status->pose = observation_.pose;
-  status->speed = observation_.twist.v;
-  for (const MovingObstacle& mover : observation_.movers) {
-    status->movers.push_back(Transform(observation_.pose, mover));
-  }
-  status->clearance =
-      observation_.fault
-          ? std::numeric_limits<double>::quiet_NaN()
-          : std::min(FootprintClearance(parameters_.footprint,
-                                        observation_.obstacles),
-                     FootprintClearance(parameters_.footprint,
-                                        observation_.mover_hits));
-  if (HasGoal(status->state)) {
-    status->distance_to_goal =
-        (goal_.pose.position() - observation_.pose.position()).norm();
-  }
-  if (driver_.follower().active()) {
-    status->reference = driver_.follower().At(0.0);
-    status->error = driver_.Error(observation_);
-  }
-  if (watch_.avoiding()) {
-    status->vfh_histogram = driver_.avoidance().histogram;
-    status->vfh_blocked = driver_.avoidance().blocked;
-    status->vfh_direction = driver_.avoidance().direction;
-  }
 }
 
 Navigator::Navigator(const NavigatorParameters& parameters)

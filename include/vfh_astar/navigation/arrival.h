@@ -1,6 +1,8 @@
 #ifndef VFH_ASTAR_NAVIGATION_ARRIVAL_H_
 #define VFH_ASTAR_NAVIGATION_ARRIVAL_H_
 
+#include <string>
+
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/navigation/navigator_parameters.h"
 
@@ -32,6 +34,12 @@ class Arrival {
 
 /// True when the robot stands, as far as its odometry can tell.
 bool IsStanding(const Twist2D& twist, const GoalParameters& parameters);
+
+/// Says how near to the goal the robot was brought.
+/// @param[in] end of the trajectory that was followed, map frame.
+/// @param[in] goal that was asked for, map frame.
+std::string ArrivalMessage(const Pose2D& end, const Pose2D& goal,
+                           const GoalParameters& parameters);
 
 }  // namespace vfh_astar
 
