@@ -29,6 +29,7 @@ DriveTask TaskFrom(const po::variables_map& options) {
   if (!task.world.goal) throw OptionError("--world " + world + " has no goal");
   task.goal = *task.world.goal;
   task.stack = LoadStackParameters(options["config"].as<std::string>());
+  MakeRoomInMap(&task);
   task.simulation.laser = LaserPreset("paper");
   task.simulation.seed = options["seed"].as<std::uint32_t>();
   return task;

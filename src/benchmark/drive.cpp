@@ -95,6 +95,17 @@ class Referee {
 
 }  // namespace
 
+void MakeRoomInMap(DriveTask* task) {
+  constexpr double kRoom = 15.0;  // m
+  GridMapperParameters& map = task->stack.mapper.grid;
+  for (const Pose2D& pose : {task->world.robots.front().pose, task->goal}) {
+    map.xmin = std::min(map.xmin, pose.x - kRoom);
+    map.ymin = std::min(map.ymin, pose.y - kRoom);
+    map.xmax = std::max(map.xmax, pose.x + kRoom);
+    map.ymax = std::max(map.ymax, pose.y + kRoom);
+  }
+}
+
 DriveResult Drive(const DriveTask& task) {
   Simulation simulation(task.world, task.simulation);
   NavigationStack stack(task.stack, task.world.robots.front().pose, task.times);

@@ -68,6 +68,10 @@ struct DriveResult {
   std::vector<DriveMotion> motions;
 };
 
+/// Makes the map's first extent so large that it holds start and goal, with
+/// room for ways around: a goal beyond it is refused.
+void MakeRoomInMap(DriveTask* task);
+
 DriveResult Drive(const DriveTask& task);
 
 }  // namespace vfh_astar

@@ -1,6 +1,5 @@
 #include "benchmark/drive_command.h"
 
-#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
@@ -37,16 +36,6 @@ po::options_description Options() {
   return options;
 }
 
-/// The map has to hold start and goal, with room for ways around; a goal beyond
-/// it is refused.
-void MakeRoom(const Pose2D& pose, GridMapperParameters* mapper) {
-  constexpr double kRoom = 15.0;  // m
-  mapper->xmin = std::min(mapper->xmin, pose.x - kRoom);
-  mapper->ymin = std::min(mapper->ymin, pose.y - kRoom);
-  mapper->xmax = std::max(mapper->xmax, pose.x + kRoom);
-  mapper->ymax = std::max(mapper->ymax, pose.y + kRoom);
-}
-
 /// The world with its start and goal.
 void ReadScene(const po::variables_map& options, DriveTask* task) {
   if (options.count("world") == 0) {
@@ -64,8 +53,7 @@ void ReadScene(const po::variables_map& options, DriveTask* task) {
   } else {
     throw OptionError("the world suggests no goal; expected --goal");
   }
-  MakeRoom(task->world.robots.front().pose, &task->stack.mapper.grid);
-  MakeRoom(task->goal, &task->stack.mapper.grid);
+  MakeRoomInMap(task);
 }
 
 /// An empty world with a figure eight to be driven in it.
