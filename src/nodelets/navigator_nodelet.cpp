@@ -152,11 +152,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
 
   void OnTrajectory(const QuinticTrajectory& message) {
     try {
-      const std::string& frame = parameters_.frames.map_frame;
-      if (message.header.frame_id != frame) {
-        throw MessageError("its frame is '" + message.header.frame_id +
-                           "'; expected '" + frame + "'");
-      }
+      CheckFrame(message.header.frame_id, parameters_.frames.map_frame);
       const int id = static_cast<int>(message.request_id);
       navigator_->SetTrajectory(id, ToTrajectory(message));
       PublishState(lockstep_->TakeAnswer(id));

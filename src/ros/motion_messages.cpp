@@ -94,7 +94,9 @@ MotionQuery ToQueryMessage(const MotionRequest& request,
   return query;
 }
 
-PlanRequest ToPlanRequest(const MotionQuery& query) {
+PlanRequest ToPlanRequest(const MotionQuery& query,
+                          const std::string& frame_id) {
+  CheckFrame(query.header.frame_id, frame_id);
   PlanRequest request;
   request.start = ToPose2D(query.start);
   request.goal = ToPose2D(query.goal);

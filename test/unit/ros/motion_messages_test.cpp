@@ -31,7 +31,7 @@ TEST(MotionMessagesTest, AQueryCarriesTheWholeRequest) {
   EXPECT_EQ(query.goal_id, "goal 3");
   EXPECT_EQ(query.start_time, ros::Time(12, 250000000));
 
-  const PlanRequest plan = ToPlanRequest(query);
+  const PlanRequest plan = ToPlanRequest(query, "map");
   EXPECT_EQ(plan.start.x, 1.0);
   EXPECT_NEAR(plan.start.theta, 0.5, 1e-12);
   EXPECT_EQ(plan.goal.y, 5.0);
@@ -154,6 +154,15 @@ TEST(MotionMessagesTest, ADisplayedTrajectoryReachesItsEndInTime) {
   EXPECT_EQ(path.poses.back().header.stamp, ros::Time(12.5));
   const Pose2D end = trajectory.Sample(3.5).pose;
   EXPECT_NEAR(path.poses.back().pose.position.x, end.x, 1e-12);
+}
+
+TEST(MotionMessagesTest, RefusesAQuestionInAnotherFrame) {
+  MotionQuery query = ToQueryMessage(MakeRequest(), ros::Time(1), "odom");
+  EXPECT_THROW(ToPlanRequest(query, "map"), MessageError);
+  query.header.frame_id.clear();
+  EXPECT_THROW(ToPlanRequest(query, "map"), MessageError);
+  query.header.frame_id = "/map";
+  EXPECT_EQ(ToPlanRequest(query, "map").goal.x, 4.0);
 }
 
 TEST(MotionMessagesTest, AFailureAnswersItsQuestion) {
