@@ -153,7 +153,8 @@ class NavigatorNodelet : public nodelet::Nodelet {
   void OnTrajectory(const QuinticTrajectory& message) {
     try {
       CheckFrame(message.header.frame_id, parameters_.frames.map_frame);
-      const int id = static_cast<int>(message.request_id);
+      const MotionRequestId id{static_cast<int>(message.request_id),
+                               message.goal_id};
       navigator_->SetTrajectory(id, ToTrajectory(message));
       PublishState(lockstep_->TakeAnswer(id));
     } catch (const MessageError& error) {
@@ -198,7 +199,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
     std_msgs::Header header;
     header.stamp = last_cycle_;
     header.frame_id = parameters_.frames.map_frame;
-    std::optional<int> question;
+    std::optional<MotionRequestId> question;
     if (output.request) question = output.request->id;
     NavigationState state =
         ToStateMessage(output.status, header, inputs_->scan_stamp());

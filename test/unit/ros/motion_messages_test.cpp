@@ -11,8 +11,7 @@ namespace {
 
 MotionRequest MakeRequest() {
   MotionRequest request;
-  request.id = 17;
-  request.goal_id = "goal 3";
+  request.id = {17, "goal 3"};
   request.start_time = 12.25;
   request.start.pose = {1.0, 2.0, 0.5};
   request.start.twist = {0.75, -0.25};
@@ -173,7 +172,8 @@ TEST(MotionMessagesTest, AFailureAnswersItsQuestion) {
   EXPECT_EQ(failure.stage, "path_planner");
   EXPECT_EQ(failure.header.stamp, ros::Time(1));
   const MotionAnswer answer = ToAnswer(failure);
-  EXPECT_EQ(answer.id, 17);
+  EXPECT_EQ(answer.id.number, 17);
+  EXPECT_EQ(answer.id.goal_id, "goal 3");
   EXPECT_EQ(answer.outcome, Outcome::kNoPath);
   EXPECT_EQ(answer.message, "walls all around");
   // A failure is one, whatever number a stranger gives it.
