@@ -19,17 +19,20 @@ bool MotionRequestSchedule::IsDue(double time) const {
   return wanted_at_ && time >= *wanted_at_;
 }
 
-int MotionRequestSchedule::Send(double time, double start_time,
-                                std::optional<double> join) {
+MotionRequestId MotionRequestSchedule::Send(const std::string& goal_id,
+                                            double time, double start_time,
+                                            std::optional<double> join) {
   wanted_at_.reset();
   sent_at_ = time;
   waiting_ = true;
   start_time_ = start_time;
   join_ = join;
-  return ++id_;
+  ++id_.number;
+  id_.goal_id = goal_id;
+  return id_;
 }
 
-bool MotionRequestSchedule::Accept(int id) {
+bool MotionRequestSchedule::Accept(const MotionRequestId& id) {
   if (!waiting_ || id != id_) return false;
   waiting_ = false;
   return true;

@@ -363,8 +363,8 @@ std::optional<MotionRequest> Navigator::Impl::Request() {
   MotionRequest request;
   request.start = start.start;
   request.start_time = start.time;
-  request.id = schedule_.Send(*time_, start.time, start.join);
-  request.goal_id = record_.goal().id;
+  request.id =
+      schedule_.Send(record_.goal().id, *time_, start.time, start.join);
   request.goal = record_.goal().pose;
   request.tolerance = parameters_.goal.tolerance;
   return request;
@@ -383,14 +383,15 @@ void Navigator::Cancel() { impl_->Tell({Event::kCancel, {}}); }
 void Navigator::Pause() { impl_->Tell({Event::kPause, {}}); }
 void Navigator::Resume() { impl_->Tell({Event::kResume, {}}); }
 
-void Navigator::SetTrajectory(int id, Trajectory trajectory) {
+void Navigator::SetTrajectory(const MotionRequestId& id,
+                              Trajectory trajectory) {
   MotionAnswer answer;
   answer.id = id;
   answer.trajectory = std::move(trajectory);
   impl_->Answer(std::move(answer));
 }
 
-void Navigator::PlanFailed(int id, Outcome outcome,
+void Navigator::PlanFailed(const MotionRequestId& id, Outcome outcome,
                            const std::string& message) {
   MotionAnswer answer;
   answer.id = id;

@@ -152,12 +152,9 @@ class NavigatorNodelet : public nodelet::Nodelet {
 
   void OnTrajectory(const QuinticTrajectory& message) {
     try {
-      const std::string& frame = parameters_.frames.map_frame;
-      if (message.header.frame_id != frame) {
-        throw MessageError("its frame is '" + message.header.frame_id +
-                           "'; expected '" + frame + "'");
-      }
-      const int id = static_cast<int>(message.request_id);
+      CheckFrame(message.header.frame_id, parameters_.frames.map_frame);
+      const MotionRequestId id{static_cast<int>(message.request_id),
+                               message.goal_id};
       navigator_->SetTrajectory(id, ToTrajectory(message));
       PublishState(lockstep_->TakeAnswer(id));
     } catch (const MessageError& error) {
@@ -202,7 +199,7 @@ class NavigatorNodelet : public nodelet::Nodelet {
     std_msgs::Header header;
     header.stamp = last_cycle_;
     header.frame_id = parameters_.frames.map_frame;
-    std::optional<int> question;
+    std::optional<MotionRequestId> question;
     if (output.request) question = output.request->id;
     NavigationState state =
         ToStateMessage(output.status, header, inputs_->scan_stamp());

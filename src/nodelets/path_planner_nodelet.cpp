@@ -101,7 +101,8 @@ class PathPlannerNodelet : public nodelet::Nodelet {
     listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node);
     thread_ = std::thread([this] { PlanUntilClosed(); });
     map_subscription_ = std::make_unique<MapSubscription>(
-        node, [this](const OccupancyGrid& map) { OnMap(map); },
+        node, parameters_.frames.map_frame,
+        [this](const OccupancyGrid& map) { OnMap(map); },
         [this](const cv::Rect& window, const std::vector<std::int8_t>& values) {
           OnWindow(window, values);
         });
@@ -194,10 +195,17 @@ class PathPlannerNodelet : public nodelet::Nodelet {
   }
 
   void Plan(const MotionQuery& query) {
-    PlanRequest request = ToPlanRequest(query);
-    request.previous = path_;
-    const PlanResult result = planner_->Plan(request, &is_outdated_);
-    if (result.outcome == Outcome::kSuccess) path_ = result.path;
+    PlanResult result;
+    try {
+      PlanRequest request = ToPlanRequest(query, parameters_.frames.map_frame);
+      request.previous = path_;
+      result = planner_->Plan(request, &is_outdated_);
+      if (result.outcome == Outcome::kSuccess) path_ = result.path;
+    } catch (const MessageError& error) {
+      result.outcome = Outcome::kInvalidGoal;
+      result.message =
+          std::string("the question cannot be used: ") + error.what();
+    }
     Answer(query, result);
   }
 

@@ -58,7 +58,7 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
         });
     // From here on callbacks come, in another thread than this one.
     map_subscription_ = std::make_unique<MapSubscription>(
-        node,
+        node, parameters_.frames.map_frame,
         [this](const OccupancyGrid& map) {
           clearance_->SetMap(map);
           has_map_ = true;
@@ -97,7 +97,7 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
 
   void Fit(const nav_msgs::Path& plan, const MotionQuery* query) {
     try {
-      CheckFrame(plan.header.frame_id);
+      CheckFrame(plan.header.frame_id, parameters_.frames.map_frame);
       const FitRequest request = ToFitRequest(plan, query);
       const FitResult result = Fit(request);
       if (result.outcome == Outcome::kSuccess) {
@@ -116,13 +116,6 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
     result.outcome = Outcome::kNoMap;
     result.message = "the trajectory fitter has received no map";
     return result;
-  }
-
-  void CheckFrame(const std::string& frame) const {
-    if (WithoutSlash(frame) != parameters_.frames.map_frame) {
-      throw MessageError("its frame is '" + frame + "'; expected '" +
-                         parameters_.frames.map_frame + "'");
-    }
   }
 
   void Publish(const Trajectory& trajectory, const MotionQuery* query) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "vfh_astar/ros/message_error.h"
+
 namespace vfh_astar {
 namespace {
 
@@ -94,6 +96,13 @@ std::optional<std::string> DescribeDefect(const geometry_msgs::Pose& pose) {
 std::string WithoutSlash(const std::string& frame_id) {
   return !frame_id.empty() && frame_id[0] == '/' ? frame_id.substr(1)
                                                  : frame_id;
+}
+
+void CheckFrame(const std::string& frame_id, const std::string& expected) {
+  if (WithoutSlash(frame_id) != expected) {
+    throw MessageError("its frame is '" + frame_id + "'; expected '" +
+                       expected + "'");
+  }
 }
 
 }  // namespace vfh_astar

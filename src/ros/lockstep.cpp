@@ -47,14 +47,15 @@ bool Lockstep::EndWaiting() {
 }
 
 std::optional<NavigationState> Lockstep::TakeState(
-    const NavigationState& state, std::optional<int> question) {
+    const NavigationState& state, std::optional<MotionRequestId> question) {
   question_ = is_on_ ? question : std::nullopt;
   if (!question_) return state;
   held_ = state;
   return std::nullopt;
 }
 
-std::optional<NavigationState> Lockstep::TakeAnswer(int question) {
+std::optional<NavigationState> Lockstep::TakeAnswer(
+    const MotionRequestId& question) {
   if (question_ != question) return std::nullopt;
   question_.reset();
   return std::move(held_);

@@ -10,6 +10,8 @@
 namespace vfh_astar {
 namespace {
 
+constexpr std::size_t kMostAhead = 100;  ///< updates that wait for their map.
+
 void CheckValues(const std::vector<std::int8_t>& values) {
   const auto wrong = std::find_if(
       values.begin(), values.end(),
@@ -140,17 +142,23 @@ map_msgs::OccupancyGridUpdate ToUpdateMessage(
   return message;
 }
 
-MapReceiver::MapReceiver(TakeMap take_map, TakeWindow take_window)
-    : take_map_(std::move(take_map)), take_window_(std::move(take_window)) {}
+MapReceiver::MapReceiver(std::string map_frame, TakeMap take_map,
+                         TakeWindow take_window)
+    : map_frame_(std::move(map_frame)),
+      take_map_(std::move(take_map)),
+      take_window_(std::move(take_window)) {}
 
 void MapReceiver::Receive(const nav_msgs::OccupancyGrid& message) {
+  CheckFrame(message.header.frame_id, map_frame_);
   OccupancyGrid map = ToOccupancyGrid(message);
   stamp_ = message.header.stamp;
   if (!map_ || map.geometry() != map_->geometry()) {
     map_ = std::move(map);
     take_map_(*map_);
+    Replay();
     return;
   }
+  ahead_.clear();
   const cv::Rect window = Difference(map, *map_);
   if (window.empty()) return;
   map_ = std::move(map);
@@ -158,27 +166,47 @@ void MapReceiver::Receive(const nav_msgs::OccupancyGrid& message) {
 }
 
 void MapReceiver::Receive(const map_msgs::OccupancyGridUpdate& message) {
+  CheckFrame(message.header.frame_id, map_frame_);
   CheckSize(message.data.size(),
             static_cast<std::size_t>(message.width) * message.height);
   CheckValues(message.data);
-  if (!map_ || message.header.stamp <= stamp_) return;
-  const std::int64_t right =
-      static_cast<std::int64_t>(message.x) + message.width;
-  const std::int64_t top =
-      static_cast<std::int64_t>(message.y) + message.height;
-  const bool fits = message.x >= 0 && message.y >= 0 &&
-                    right <= map_->geometry().width &&
-                    top <= map_->geometry().height;
-  if (!fits || message.data.empty()) return;
-  auto value = message.data.begin();
-  for (int y = message.y; y < top; ++y) {
-    std::copy(value, value + message.width,
-              map_->cells().begin() + map_->geometry().Index({message.x, y}));
-    value += message.width;
+  const bool fits_any = message.x >= 0 && message.y >= 0;
+  if (!fits_any || message.data.empty()) return;
+  if (map_ && message.header.stamp <= stamp_) return;
+  const bool fits = Fits(message);
+  if (!fits || !ahead_.empty()) Keep(message);
+  if (fits) Apply(message);
+}
+
+bool MapReceiver::Fits(const map_msgs::OccupancyGridUpdate& update) const {
+  if (!map_) return false;
+  const std::int64_t right = static_cast<std::int64_t>(update.x) + update.width;
+  const std::int64_t top = static_cast<std::int64_t>(update.y) + update.height;
+  return right <= map_->geometry().width && top <= map_->geometry().height;
+}
+
+void MapReceiver::Keep(const map_msgs::OccupancyGridUpdate& update) {
+  ahead_.push_back(update);
+  // The oldest are the likeliest to be in the map that comes.
+  if (ahead_.size() > kMostAhead) ahead_.pop_front();
+}
+
+void MapReceiver::Apply(const map_msgs::OccupancyGridUpdate& update) {
+  auto value = update.data.begin();
+  const int top = update.y + static_cast<int>(update.height);
+  for (int y = update.y; y < top; ++y) {
+    std::copy(value, value + update.width,
+              map_->cells().begin() + map_->geometry().Index({update.x, y}));
+    value += update.width;
   }
-  take_window_({message.x, message.y, static_cast<int>(message.width),
-                static_cast<int>(message.height)},
-               message.data);
+  take_window_({update.x, update.y, static_cast<int>(update.width),
+                static_cast<int>(update.height)},
+               update.data);
+}
+
+void MapReceiver::Replay() {
+  // What does not fit this map either is ahead of the next one.
+  for (const auto& update : std::exchange(ahead_, {})) Receive(update);
 }
 
 }  // namespace vfh_astar

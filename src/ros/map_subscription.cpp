@@ -9,9 +9,10 @@
 namespace vfh_astar {
 
 MapSubscription::MapSubscription(ros::NodeHandle node,
+                                 const std::string& map_frame,
                                  MapReceiver::TakeMap take_map,
                                  MapReceiver::TakeWindow take_window)
-    : receiver_(std::move(take_map), std::move(take_window)),
+    : receiver_(map_frame, std::move(take_map), std::move(take_window)),
       map_subscriber_(Subscribe<nav_msgs::OccupancyGrid>(node, "map", 1)),
       update_subscriber_(
           Subscribe<map_msgs::OccupancyGridUpdate>(node, "map_updates", 100)) {}
@@ -27,8 +28,8 @@ ros::Subscriber MapSubscription::Subscribe(ros::NodeHandle& node,
         try {
           receiver_.Receive(*message);
         } catch (const MessageError& error) {
-          ROS_WARN_THROTTLE(10.0, "a message on %s is dropped: %s",
-                            name.c_str(), error.what());
+          ROS_ERROR_THROTTLE(10.0, "a message on %s is dropped: %s",
+                             name.c_str(), error.what());
         }
       });
 }

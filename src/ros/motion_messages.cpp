@@ -83,8 +83,8 @@ MotionQuery ToQueryMessage(const MotionRequest& request,
   MotionQuery query;
   query.header.stamp = identity;
   query.header.frame_id = frame_id;
-  query.id = static_cast<std::uint32_t>(request.id);
-  query.goal_id = request.goal_id;
+  query.id = static_cast<std::uint32_t>(request.id.number);
+  query.goal_id = request.id.goal_id;
   query.start_time.fromSec(request.start_time);
   query.start = ToPoseMessage(request.start.pose);
   query.start_twist = ToTwistMessage(request.start.twist);
@@ -94,7 +94,9 @@ MotionQuery ToQueryMessage(const MotionRequest& request,
   return query;
 }
 
-PlanRequest ToPlanRequest(const MotionQuery& query) {
+PlanRequest ToPlanRequest(const MotionQuery& query,
+                          const std::string& frame_id) {
+  CheckFrame(query.header.frame_id, frame_id);
   PlanRequest request;
   request.start = ToPose2D(query.start);
   request.goal = ToPose2D(query.goal);
@@ -207,7 +209,7 @@ MotionFailure ToFailureMessage(const MotionQuery& query,
 
 MotionAnswer ToAnswer(const MotionFailure& failure) {
   MotionAnswer answer;
-  answer.id = static_cast<int>(failure.request_id);
+  answer.id = {static_cast<int>(failure.request_id), failure.goal_id};
   answer.message = failure.message;
   switch (failure.outcome) {
     case MotionFailure::CANCELLED:

@@ -36,7 +36,7 @@ RobotInputs::RobotInputs(ros::NodeHandle node, const FrameNames& frames,
       listener_(transforms_, node),
       map_(occupied_threshold, kClearanceReach),
       map_subscription_(
-          node,
+          node, frames.map_frame,
           [this](const OccupancyGrid& map) {
             map_.SetMap(map);
             has_map_ = true;

@@ -10,11 +10,23 @@
 
 namespace vfh_astar {
 
-/// A question to the planner and the fitter. The answer carries its id, so that
-/// an answer to an old question is dropped.
-struct MotionRequest {
-  int id = 0;
+/// Which question; an answer carries that of its question. The numbers begin
+/// anew with every navigator, the goals of two are different.
+struct MotionRequestId {
+  int number = 0;
   std::string goal_id;
+
+  bool operator==(const MotionRequestId& other) const {
+    return number == other.number && goal_id == other.goal_id;
+  }
+  bool operator!=(const MotionRequestId& other) const {
+    return !(*this == other);
+  }
+};
+
+/// A question to the planner and the fitter.
+struct MotionRequest {
+  MotionRequestId id;
   double start_time = 0.0;  ///< s, when the robot will be at `start`.
   Reference start;          ///< map frame.
   Pose2D goal;              ///< map frame.
@@ -23,7 +35,7 @@ struct MotionRequest {
 
 /// The answer: a trajectory, or why there is none.
 struct MotionAnswer {
-  int id = 0;
+  MotionRequestId id;
   Outcome outcome = Outcome::kSuccess;
   std::string message;
   Trajectory trajectory;  ///< empty on failure.
@@ -49,14 +61,16 @@ class MotionRequestSchedule {
   bool IsDue(double time) const;
 
   /// Notes that the question is being sent.
+  /// @param[in] goal_id the goal that it serves.
   /// @param[in] join the clock of the trajectory it joins, see
   ///   TrajectoryFollower::Follow.
   /// @return its id.
-  int Send(double time, double start_time, std::optional<double> join);
+  MotionRequestId Send(const std::string& goal_id, double time,
+                       double start_time, std::optional<double> join);
 
   /// True when the answer is to the question that is out, which is then
   /// settled.
-  bool Accept(int id);
+  bool Accept(const MotionRequestId& id);
 
   /// True when the question that is out has waited too long; it is then
   /// settled.
@@ -72,7 +86,7 @@ class MotionRequestSchedule {
   std::optional<double> wanted_at_;
   std::optional<double> sent_at_;
   bool waiting_ = false;
-  int id_ = 0;
+  MotionRequestId id_;
   double start_time_ = 0.0;
   std::optional<double> join_;
 };

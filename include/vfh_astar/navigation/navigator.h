@@ -43,11 +43,12 @@ class Navigator {
   void Pause();
   void Resume();
 
-  /// The answer to request `id`; dropped when a newer request is out.
-  void SetTrajectory(int id, Trajectory trajectory);
+  /// The answer to request `id`; dropped when another request is out.
+  void SetTrajectory(const MotionRequestId& id, Trajectory trajectory);
 
   /// The other answer to request `id`.
-  void PlanFailed(int id, Outcome outcome, const std::string& message);
+  void PlanFailed(const MotionRequestId& id, Outcome outcome,
+                  const std::string& message);
 
   /// One control cycle.
   NavigatorOutput Update(const NavigatorInput& input);

@@ -37,6 +37,10 @@ std::optional<std::string> DescribeDefect(const geometry_msgs::Pose& pose);
 /// A frame id as tf2 wants it; old publishers put a slash in front.
 std::string WithoutSlash(const std::string& frame_id);
 
+/// @param[in] frame_id of a message, with or without a slash in front.
+/// @throws MessageError when it is another than `expected`.
+void CheckFrame(const std::string& frame_id, const std::string& expected);
+
 }  // namespace vfh_astar
 
 #endif  // VFH_ASTAR_ROS_GEOMETRY_MESSAGES_H_

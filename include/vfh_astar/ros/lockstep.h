@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include "vfh_astar/navigation/motion_request.h"
+
 namespace vfh_astar {
 
 /// For a simulator that holds its clock until `navigation_state` answers its
@@ -40,12 +42,12 @@ class Lockstep {
   /// A cycle has run.
   /// @param[in] question the id of what it asked, if it did.
   /// @return the state to send now; nothing when it waits for the answer.
-  std::optional<NavigationState> TakeState(const NavigationState& state,
-                                           std::optional<int> question);
+  std::optional<NavigationState> TakeState(
+      const NavigationState& state, std::optional<MotionRequestId> question);
 
   /// A question was answered.
   /// @return the state that has waited for that.
-  std::optional<NavigationState> TakeAnswer(int question);
+  std::optional<NavigationState> TakeAnswer(const MotionRequestId& question);
 
   /// Time begins anew.
   void Reset();
@@ -61,7 +63,7 @@ class Lockstep {
   ros::Time odometry_;             ///< the newest.
   ros::Duration odometry_period_;  ///< 0: not known yet.
   bool is_waiting_ = false;        ///< a cycle is.
-  std::optional<int> question_;
+  std::optional<MotionRequestId> question_;
   NavigationState held_;  ///< while question_ is set.
 };
 

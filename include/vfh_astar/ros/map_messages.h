@@ -7,6 +7,7 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <opencv2/core/types.hpp>
 #include <optional>
@@ -41,30 +42,42 @@ map_msgs::OccupancyGridUpdate ToUpdateMessage(
 /// them, so an update that is not newer than the map is contained in it and
 /// dropped; and as the publisher sends no update with a new geometry before the
 /// map that has it, an update that does not fit belongs to a map that is yet to
-/// come. A whole map that repeats what is known already passes as the window
-/// that differs, if any does.
+/// come. It and those after it are kept, and those that the map does not
+/// contain are applied to it when it comes. A whole map that repeats what is
+/// known already passes as the window that differs, if any does.
 class MapReceiver {
  public:
   using TakeMap = std::function<void(const OccupancyGrid&)>;
   using TakeWindow =
       std::function<void(const cv::Rect&, const std::vector<std::int8_t>&)>;
 
+  /// @param[in] map_frame that the messages have to be in.
   /// @param[in] take_map called with a map of a new geometry.
   /// @param[in] take_window called with a window of the last map given to
   ///   take_map and its values row by row.
-  MapReceiver(TakeMap take_map, TakeWindow take_window);
+  MapReceiver(std::string map_frame, TakeMap take_map, TakeWindow take_window);
 
-  /// @throws MessageError for a map that cannot be used; the old one stays.
+  /// @throws MessageError for a map that cannot be used or is in another frame;
+  ///   the old one stays.
   void Receive(const nav_msgs::OccupancyGrid& message);
 
-  /// @throws MessageError for an update whose data does not fill its window.
+  /// @throws MessageError for an update whose data does not fill its window and
+  ///   for one in another frame.
   void Receive(const map_msgs::OccupancyGridUpdate& message);
 
  private:
+  bool Fits(const map_msgs::OccupancyGridUpdate& update) const;
+  void Keep(const map_msgs::OccupancyGridUpdate& update);
+  void Apply(const map_msgs::OccupancyGridUpdate& update);
+  void Replay();
+
+  std::string map_frame_;
   TakeMap take_map_;
   TakeWindow take_window_;
   std::optional<OccupancyGrid> map_;
-  ros::Time stamp_;
+  ros::Time stamp_;  ///< of the newest whole map.
+  /// The first update that did not fit and all after it, oldest first.
+  std::deque<map_msgs::OccupancyGridUpdate> ahead_;
 };
 
 }  // namespace vfh_astar

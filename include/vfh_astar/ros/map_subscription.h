@@ -4,16 +4,20 @@
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
+#include <string>
+
 #include "vfh_astar/ros/map_messages.h"
 
 namespace vfh_astar {
 
 /// A MapReceiver over the topics `map` and `map_updates`. Messages that cannot
-/// be used are dropped with a warning.
+/// be used are dropped, and an error says why.
 class MapSubscription {
  public:
   /// @param[in] node whose callback queue calls the two functions.
-  MapSubscription(ros::NodeHandle node, MapReceiver::TakeMap take_map,
+  /// @param[in] map_frame the frame that the messages have to be in.
+  MapSubscription(ros::NodeHandle node, const std::string& map_frame,
+                  MapReceiver::TakeMap take_map,
                   MapReceiver::TakeWindow take_window);
   MapSubscription(const MapSubscription&) = delete;
   MapSubscription& operator=(const MapSubscription&) = delete;

@@ -25,7 +25,9 @@ MotionQuery ToQueryMessage(const MotionRequest& request,
                            const ros::Time& identity,
                            const std::string& frame_id);
 
-PlanRequest ToPlanRequest(const MotionQuery& query);
+/// @throws MessageError for poses in another frame than `frame_id`.
+PlanRequest ToPlanRequest(const MotionQuery& query,
+                          const std::string& frame_id);
 
 /// @param[in] query may be null: the trajectory then starts at rest at the
 ///   path's first pose. The goal is the path's last pose either way, as the

@@ -126,7 +126,7 @@ TEST_F(NavigatorTest, RequestsCarryGoalAndStart) {
   navigator_.SetGoal("g", {4.0, 5.0, 1.0});
   const NavigatorOutput output = Step();
   ASSERT_TRUE(output.request.has_value());
-  EXPECT_EQ(output.request->goal_id, "g");
+  EXPECT_EQ(output.request->id.goal_id, "g");
   EXPECT_EQ(output.request->goal.x, 4.0);
   EXPECT_EQ(output.request->start.pose.y, 2.0);
   EXPECT_EQ(output.request->start.twist.v, 0.0);
@@ -144,6 +144,18 @@ TEST_F(NavigatorTest, DropsTheAnswerToAnOldQuestion) {
   EXPECT_EQ(output.status.goal_id, "b");
 }
 
+TEST_F(NavigatorTest, DropsTheAnswerToANavigatorBeforeIt) {
+  navigator_.SetGoal("b", {3.0, 0.0, 0.0});
+  const NavigatorOutput output = Step();
+  ASSERT_TRUE(output.request.has_value());
+  const MotionRequestId old{output.request->id.number, "a"};
+  navigator_.SetTrajectory(old, Straight(0.0, 3.0, 4.0));
+  navigator_.PlanFailed(old, Outcome::kInvalidGoal, "for the test");
+  EXPECT_EQ(Step().status.state, State::kPlanning);
+  navigator_.SetTrajectory(output.request->id, Straight(0.0, 3.0, 4.0));
+  EXPECT_EQ(Step().status.state, State::kTracking);
+}
+
 TEST_F(NavigatorTest, ANewGoalEndsTheOldOneWithoutAStop) {
   Drive(Straight(0.0, 3.0, 4.0), 2.0);
   const double speed = twist_.v;
@@ -155,7 +167,7 @@ TEST_F(NavigatorTest, ANewGoalEndsTheOldOneWithoutAStop) {
   EXPECT_EQ(output.result->outcome, Outcome::kCancelled);
   EXPECT_NEAR(output.command->v, speed, 0.1);
   ASSERT_TRUE(output.request.has_value());
-  EXPECT_EQ(output.request->goal_id, "b");
+  EXPECT_EQ(output.request->id.goal_id, "b");
   EXPECT_GT(output.request->start.twist.v, 0.5) << "joins at speed";
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "vfh_astar/ros/message_error.h"
+
 namespace vfh_astar {
 namespace {
 
@@ -68,6 +70,18 @@ TEST(GeometryMessagesTest, OneSlashIsTakenAway) {
   EXPECT_EQ(WithoutSlash("/front_laser"), "front_laser");
   EXPECT_EQ(WithoutSlash("robot/front_laser"), "robot/front_laser");
   EXPECT_EQ(WithoutSlash(""), "");
+}
+
+TEST(GeometryMessagesTest, AFrameIsTheOneExpectedOrRefused) {
+  EXPECT_NO_THROW(CheckFrame("map", "map"));
+  EXPECT_NO_THROW(CheckFrame("/map", "map"));
+  EXPECT_THROW(CheckFrame("", "map"), MessageError);
+  try {
+    CheckFrame("odom", "map");
+    FAIL() << "odom is not map";
+  } catch (const MessageError& error) {
+    EXPECT_STREQ(error.what(), "its frame is 'odom'; expected 'map'");
+  }
 }
 
 }  // namespace

@@ -11,13 +11,15 @@ NavigationState StateAt(double stamp) {
   return state;
 }
 
+MotionRequestId Question(int number) { return {number, "goal"}; }
+
 TEST(LockstepTest, NothingWaitsWhenItIsOff) {
   Lockstep lockstep(false);
   EXPECT_TRUE(lockstep.TakeScan(ros::Time(1.0)));
   EXPECT_TRUE(lockstep.TakeScan(ros::Time(2.0)));
   EXPECT_FALSE(lockstep.TakeMapped(ros::Time(2.0)));
-  EXPECT_TRUE(lockstep.TakeState(StateAt(2.0), 7));
-  EXPECT_FALSE(lockstep.TakeAnswer(7));
+  EXPECT_TRUE(lockstep.TakeState(StateAt(2.0), Question(7)));
+  EXPECT_FALSE(lockstep.TakeAnswer(Question(7)));
 }
 
 TEST(LockstepTest, ACycleWaitsForTheScanBeforeItsOwnToBeMapped) {
@@ -71,25 +73,26 @@ TEST(LockstepTest, AStateWaitsForTheAnswerToItsQuestion) {
   Lockstep lockstep(true);
   EXPECT_EQ(lockstep.TakeState(StateAt(1.0), std::nullopt)->scan_stamp,
             ros::Time(1.0));
-  EXPECT_FALSE(lockstep.TakeState(StateAt(2.0), 7));
-  EXPECT_FALSE(lockstep.TakeAnswer(6));
-  EXPECT_EQ(lockstep.TakeAnswer(7)->scan_stamp, ros::Time(2.0));
-  EXPECT_FALSE(lockstep.TakeAnswer(7));
+  EXPECT_FALSE(lockstep.TakeState(StateAt(2.0), Question(7)));
+  EXPECT_FALSE(lockstep.TakeAnswer(Question(6)));
+  EXPECT_FALSE(lockstep.TakeAnswer({7, "another goal"}));
+  EXPECT_EQ(lockstep.TakeAnswer(Question(7))->scan_stamp, ros::Time(2.0));
+  EXPECT_FALSE(lockstep.TakeAnswer(Question(7)));
 }
 
 TEST(LockstepTest, ANewerStateTakesTheOldOnesPlace) {
   Lockstep lockstep(true);
-  EXPECT_FALSE(lockstep.TakeState(StateAt(1.0), 7));
+  EXPECT_FALSE(lockstep.TakeState(StateAt(1.0), Question(7)));
   EXPECT_TRUE(lockstep.TakeState(StateAt(2.0), std::nullopt));
-  EXPECT_FALSE(lockstep.TakeAnswer(7));
+  EXPECT_FALSE(lockstep.TakeAnswer(Question(7)));
 }
 
 TEST(LockstepTest, AfterAResetTheFirstScanIsFirstAgain) {
   Lockstep lockstep(true);
   lockstep.TakeScan(ros::Time(100.0));
-  lockstep.TakeState(StateAt(100.0), 7);
+  lockstep.TakeState(StateAt(100.0), Question(7));
   lockstep.Reset();
-  EXPECT_FALSE(lockstep.TakeAnswer(7));
+  EXPECT_FALSE(lockstep.TakeAnswer(Question(7)));
   EXPECT_TRUE(lockstep.TakeScan(ros::Time(1.0)));
   EXPECT_FALSE(lockstep.TakeScan(ros::Time(2.0)));
 }

@@ -84,6 +84,7 @@ class MapReceiverTest : public testing::Test {
   std::vector<cv::Rect> windows_;
   OccupancyGrid copy_;
   MapReceiver receiver_{
+      "map",
       [this](const OccupancyGrid& map) {
         ++maps_;
         copy_ = map;
@@ -126,15 +127,81 @@ TEST_F(MapReceiverTest, DropsAnUpdateThatTheMapContains) {
   EXPECT_EQ(windows_.size(), 1u);
 }
 
-TEST_F(MapReceiverTest, DropsAnUpdateOfAMapYetToCome) {
+TEST_F(MapReceiverTest, KeepsAnUpdateForItsMapYetToCome) {
   receiver_.Receive(MapAt(MakeMap(4, 3, 0), 1.0));
-  Update({3, 2, 2, 1}, 100, 2.0);
-  Update({0, 3, 1, 1}, 100, 2.0);
-  Update({-1, 0, 1, 1}, 100, 2.0);
+  Update({3, 2, 2, 1}, 90, 2.0);
+  Update({0, 2, 1, 2}, 80, 3.0);
   EXPECT_TRUE(windows_.empty());
-  receiver_.Receive(MapAt(MakeMap(5, 3, 0), 2.0));
+  // It fits the map that is known and the one to come.
+  Update({0, 0, 1, 1}, 70, 4.0);
+  EXPECT_EQ(windows_.size(), 1u);
+  // The first is in it already.
+  receiver_.Receive(MapAt(MakeMap(5, 4, 0), 2.0));
   EXPECT_EQ(maps_, 2);
-  EXPECT_EQ(copy_.geometry().width, 5);
+  const std::vector<std::int8_t> expected = {70, 0, 0, 0, 0,  //
+                                             0,  0, 0, 0, 0,  //
+                                             80, 0, 0, 0, 0,  //
+                                             80, 0, 0, 0, 0};
+  EXPECT_EQ(copy_.cells(), expected);
+}
+
+TEST_F(MapReceiverTest, KeepsUpdatesForTheFirstMap) {
+  Update({0, 0, 1, 1}, 50, 1.0);
+  Update({1, 0, 1, 1}, 60, 2.0);
+  receiver_.Receive(MapAt(MakeMap(2, 1, 0), 1.0));
+  EXPECT_EQ(copy_.cells(), (std::vector<std::int8_t>{0, 60}));
+}
+
+TEST_F(MapReceiverTest, KeepsWhatIsAheadOfTheNextMapToo) {
+  receiver_.Receive(MapAt(MakeMap(1, 1, 0), 1.0));
+  Update({2, 0, 1, 1}, 50, 3.0);
+  Update({0, 0, 1, 1}, 60, 4.0);
+  receiver_.Receive(MapAt(MakeMap(2, 1, 0), 2.0));
+  EXPECT_EQ(copy_.cells(), (std::vector<std::int8_t>{60, 0}));
+  receiver_.Receive(MapAt(MakeMap(3, 1, 0), 2.5));
+  EXPECT_EQ(copy_.cells(), (std::vector<std::int8_t>{60, 0, 50}));
+}
+
+TEST_F(MapReceiverTest, AMapOfTheSameGeometryDropsWhatIsAhead) {
+  receiver_.Receive(MapAt(MakeMap(1, 1, 0), 1.0));
+  Update({1, 0, 1, 1}, 50, 3.0);
+  receiver_.Receive(MapAt(MakeMap(1, 1, 0), 1.5));
+  receiver_.Receive(MapAt(MakeMap(2, 1, 0), 2.0));
+  EXPECT_EQ(copy_.cells(), (std::vector<std::int8_t>{0, 0}));
+}
+
+TEST_F(MapReceiverTest, AnUpdateLeftOrBelowOfAllMapsIsNotKept) {
+  receiver_.Receive(MapAt(MakeMap(2, 1, 0), 1.0));
+  Update({-1, 0, 2, 1}, 50, 2.0);
+  Update({0, -1, 1, 2}, 50, 2.0);
+  // Were one kept, this would be too, and come a second time.
+  Update({0, 0, 1, 1}, 60, 3.0);
+  receiver_.Receive(MapAt(MakeMap(3, 1, 0), 2.0));
+  EXPECT_EQ(copy_.cells(), (std::vector<std::int8_t>{0, 0, 0}));
+}
+
+TEST_F(MapReceiverTest, KeepsNoMoreThanAHundredOfTheNewest) {
+  receiver_.Receive(MapAt(MakeMap(1, 1, 0), 1.0));
+  for (int i = 0; i < 101; ++i) Update({1 + i, 0, 1, 1}, 50, 2.0 + i);
+  receiver_.Receive(MapAt(MakeMap(102, 1, 0), 1.5));
+  std::vector<std::int8_t> expected(102, 50);
+  expected[0] = expected[1] = 0;
+  EXPECT_EQ(copy_.cells(), expected);
+}
+
+TEST_F(MapReceiverTest, UsesNothingOfAnotherFrame) {
+  nav_msgs::OccupancyGrid map = MapAt(MakeMap(4, 3, 0), 1.0);
+  map.header.frame_id = "odom";
+  EXPECT_THROW(receiver_.Receive(map), MessageError);
+  EXPECT_EQ(maps_, 0);
+  map.header.frame_id = "map";
+  receiver_.Receive(map);
+  auto update = ToUpdateMessage({0, 0, 1, 1}, {50}, "odom", ros::Time(2.0));
+  EXPECT_THROW(receiver_.Receive(update), MessageError);
+  EXPECT_TRUE(windows_.empty());
+  update.header.frame_id = "/map";
+  receiver_.Receive(update);
+  EXPECT_EQ(windows_.size(), 1u);
 }
 
 TEST_F(MapReceiverTest, AMapThatSaysNothingNewIsNoNews) {
@@ -199,6 +266,45 @@ TEST_F(MapReceiverTest, EndsUpWithThePublishersMap) {
     ASSERT_EQ(copy_.cells(), map.cells()) << step;
   }
   EXPECT_EQ(maps_, 1);
+}
+
+// A map that grows to the right and up while its whole messages lag behind the
+// updates: once the last has come, the receiver has what the publisher has.
+TEST_F(MapReceiverTest, CatchesUpWithAMapThatGrows) {
+  std::mt19937 random(7);
+  const auto pick = [&random](int count) {
+    return static_cast<int>(random() % count);
+  };
+  OccupancyGrid map = MakeMap(3, 3, kUnknown);
+  receiver_.Receive(MapAt(map, 0.5));
+  for (int round = 0; round < 60; ++round) {
+    OccupancyGrid grown = MakeMap(map.geometry().width + pick(3),
+                                  map.geometry().height + 1, kUnknown);
+    for (int y = 0; y < map.geometry().height; ++y) {
+      for (int x = 0; x < map.geometry().width; ++x) {
+        grown[{x, y}] = map[{x, y}];
+      }
+    }
+    map = grown;
+    const double start = 1.0 + 100.0 * round;
+    const nav_msgs::OccupancyGrid late = MapAt(map, start);
+    const int count = pick(30);
+    const int overtaking = count == 0 ? 0 : pick(count + 1);
+    for (int i = 0; i < count; ++i) {
+      if (i == overtaking) receiver_.Receive(late);
+      const cv::Point corner(pick(map.geometry().width),
+                             pick(map.geometry().height));
+      // The first one shows that the map has grown.
+      const cv::Point cell =
+          i == 0 ? cv::Point(0, map.geometry().height - 1) : corner;
+      const auto value = static_cast<std::int8_t>(pick(101));
+      map[{cell.x, cell.y}] = value;
+      Update({cell, cv::Size(1, 1)}, value, start + 1.0 + i);
+    }
+    if (overtaking >= count) receiver_.Receive(late);
+    ASSERT_EQ(copy_.geometry(), map.geometry()) << round;
+    ASSERT_EQ(copy_.cells(), map.cells()) << round;
+  }
 }
 
 }  // namespace

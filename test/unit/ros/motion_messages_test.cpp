@@ -11,8 +11,7 @@ namespace {
 
 MotionRequest MakeRequest() {
   MotionRequest request;
-  request.id = 17;
-  request.goal_id = "goal 3";
+  request.id = {17, "goal 3"};
   request.start_time = 12.25;
   request.start.pose = {1.0, 2.0, 0.5};
   request.start.twist = {0.75, -0.25};
@@ -31,7 +30,7 @@ TEST(MotionMessagesTest, AQueryCarriesTheWholeRequest) {
   EXPECT_EQ(query.goal_id, "goal 3");
   EXPECT_EQ(query.start_time, ros::Time(12, 250000000));
 
-  const PlanRequest plan = ToPlanRequest(query);
+  const PlanRequest plan = ToPlanRequest(query, "map");
   EXPECT_EQ(plan.start.x, 1.0);
   EXPECT_NEAR(plan.start.theta, 0.5, 1e-12);
   EXPECT_EQ(plan.goal.y, 5.0);
@@ -156,6 +155,15 @@ TEST(MotionMessagesTest, ADisplayedTrajectoryReachesItsEndInTime) {
   EXPECT_NEAR(path.poses.back().pose.position.x, end.x, 1e-12);
 }
 
+TEST(MotionMessagesTest, RefusesAQuestionInAnotherFrame) {
+  MotionQuery query = ToQueryMessage(MakeRequest(), ros::Time(1), "odom");
+  EXPECT_THROW(ToPlanRequest(query, "map"), MessageError);
+  query.header.frame_id.clear();
+  EXPECT_THROW(ToPlanRequest(query, "map"), MessageError);
+  query.header.frame_id = "/map";
+  EXPECT_EQ(ToPlanRequest(query, "map").goal.x, 4.0);
+}
+
 TEST(MotionMessagesTest, AFailureAnswersItsQuestion) {
   const MotionQuery query = ToQueryMessage(MakeRequest(), ros::Time(1), "map");
   MotionFailure failure = ToFailureMessage(
@@ -164,7 +172,8 @@ TEST(MotionMessagesTest, AFailureAnswersItsQuestion) {
   EXPECT_EQ(failure.stage, "path_planner");
   EXPECT_EQ(failure.header.stamp, ros::Time(1));
   const MotionAnswer answer = ToAnswer(failure);
-  EXPECT_EQ(answer.id, 17);
+  EXPECT_EQ(answer.id.number, 17);
+  EXPECT_EQ(answer.id.goal_id, "goal 3");
   EXPECT_EQ(answer.outcome, Outcome::kNoPath);
   EXPECT_EQ(answer.message, "walls all around");
   // A failure is one, whatever number a stranger gives it.
