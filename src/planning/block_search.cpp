@@ -39,8 +39,8 @@ bool IsShortOfRange(const LaneSquare& rows) {
 /// Eight cells in a line at the edge of the block that lengths come to.
 struct BlockSearch::Edge {
   Lanes from;       ///< lengths on the other side.
-  Lanes from_free;  ///< as masks.
-  Lanes free;
+  Lanes from_walls;  ///< as WallsOfRow gives them.
+  Lanes walls;
   Cell first;
   bool is_vertical;
 };
@@ -161,29 +161,29 @@ void BlockSearch::Expand(Block& block) {
   Block& east = (&block)[1];
   PushEdge(block, below,
            {rows.front(),
-            MaskOfRow(block.free_rows, 0),
-            MaskOfRow(below.free_rows, kLast),
+            WallsOfRow(block.free_rows, 0),
+            WallsOfRow(below.free_rows, kLast),
             {block.x, block.y - 1},
             false},
            below.rows.back());
   PushEdge(block, above,
            {rows.back(),
-            MaskOfRow(block.free_rows, kLast),
-            MaskOfRow(above.free_rows, 0),
+            WallsOfRow(block.free_rows, kLast),
+            WallsOfRow(above.free_rows, 0),
             {block.x, block.y + kSide},
             false},
            above.rows.front());
   PushEdge(block, west,
            {columns.front(),
-            MaskOfRow(block.free_columns, 0),
-            MaskOfRow(west.free_columns, kLast),
+            WallsOfRow(block.free_columns, 0),
+            WallsOfRow(west.free_columns, kLast),
             {block.x - 1, block.y},
             true},
            west.east);
   PushEdge(block, east,
            {columns.back(),
-            MaskOfRow(block.free_columns, kLast),
-            MaskOfRow(east.free_columns, 0),
+            WallsOfRow(block.free_columns, kLast),
+            WallsOfRow(east.free_columns, 0),
             {block.x + kSide, block.y},
             true},
            east.west);
@@ -192,9 +192,7 @@ void BlockSearch::Expand(Block& block) {
 
 inline void BlockSearch::PushEdge(const Block& from, Block& to,
                                   const Edge& edge, Lanes& lengths) {
-  const Lanes straight = edge.from_free & edge.free;
-  const Lanes up = straight & ShiftedUp(straight);
-  const Lanes offers = RowOffer(edge.from, straight, up, ShiftedDown(up));
+  const Lanes offers = RowOffer(edge.from, PassageBetween(edge.from_walls, edge.walls));
   const Lanes is_offered = offers > 0;
   if (to.generation != generation_) {
     if (!AnySet(is_offered)) return;
@@ -216,7 +214,7 @@ inline void BlockSearch::PushEdge(const Block& from, Block& to,
     }
   }
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (offers[lane] <= 0) continue;
+    if (offers[lane] == 0) continue;
     const Cell cell = {edge.first.x + (edge.is_vertical ? 0 : lane),
                        edge.first.y + (edge.is_vertical ? lane : 0)};
     PushCell(from, to, cell, offers[lane]);

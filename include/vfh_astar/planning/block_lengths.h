@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "vfh_astar/planning/lanes.h"
 
@@ -18,17 +19,35 @@ inline constexpr int kBlockSide = kLanes;  ///< cells.
 inline constexpr std::int16_t kBlockStraight = 408;
 inline constexpr std::int16_t kBlockDiagonal = 577;
 
-/// All bits in the lanes whose cells are free.
-/// @param[in] free a bit per cell, a byte per row.
-Lanes MaskOfRow(std::uint64_t free, int row);
+/// Longer than any length.
+inline constexpr std::int16_t kWall = std::numeric_limits<std::int16_t>::max();
 
-/// What the lengths of a row give to those of the row beside it. May be less
-/// than 0 where it is not a length.
-/// @param[in] straight where both rows are free, as a mask.
-/// @param[in] up, down where a diagonal step to the higher or lower lane ends.
-inline Lanes RowOffer(Lanes row, Lanes straight, Lanes up, Lanes down) {
-  const Lanes diagonal = Greater(ShiftedUp(row) & up, ShiftedDown(row) & down);
-  return Greater((row - kBlockStraight) & straight, diagonal - kBlockDiagonal);
+/// kWall in the lanes whose cells are blocked, else 0.
+/// @param[in] free a bit per cell, a byte per row.
+Lanes WallsOfRow(std::uint64_t free, int row);
+
+/// What steps from a row to the one beside it, or back, cost; kWall where there
+/// is none.
+struct RowPassage {
+  Lanes straight;
+  Lanes up;    ///< diagonal, by the lane that it ends in, from the lower one.
+  Lanes down;  ///< the same from the higher lane.
+};
+
+/// @param[in] walls, next of the two rows, as WallsOfRow gives them.
+inline RowPassage PassageBetween(Lanes walls, Lanes next) {
+  const Lanes straight = walls | next;
+  // A diagonal step needs all four cells, whichever way it goes.
+  const Lanes up = straight | ShiftedUp(straight);
+  return {straight | kBlockStraight, up | kBlockDiagonal,
+          ShiftedDown(up) | kBlockDiagonal};
+}
+
+/// What the lengths of a row give to those of the row beside it.
+inline Lanes RowOffer(Lanes row, const RowPassage& passage) {
+  const Lanes diagonal = Greater(LessBy(ShiftedUp(row), passage.up),
+                                 LessBy(ShiftedDown(row), passage.down));
+  return Greater(LessBy(row, passage.straight), diagonal);
 }
 
 /// Steps within the block till no length becomes less.
