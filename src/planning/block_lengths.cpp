@@ -7,20 +7,6 @@ namespace {
 /// no difference to what is done with them.
 using Passages = std::array<RowPassage, kBlockSide - 1>;
 
-using WallTable = std::array<Lanes, 256>;
-
-WallTable MakeWalls() {
-  WallTable walls{};
-  for (int bits = 0; bits < 256; ++bits) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      walls[bits][lane] = (bits >> lane & 1) != 0 ? 0 : kWall;
-    }
-  }
-  return walls;
-}
-
-const WallTable kWalls = MakeWalls();
-
 inline Passages PassagesOf(std::uint64_t free) {
   Passages passages;
   Lanes row = WallsOfRow(free, 0);
@@ -56,10 +42,6 @@ inline bool Sweep(const Passages& passages, LaneSquare& rows) {
 }
 
 }  // namespace
-
-Lanes WallsOfRow(std::uint64_t free, int row) {
-  return kWalls[free >> (8 * row) & 0xff];
-}
 
 // Shortest ways within a block. A shortest way does not turn by more than a
 // right angle at once, so between two steps along a row it goes from row to

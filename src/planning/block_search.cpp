@@ -16,7 +16,7 @@ constexpr std::int16_t kDiagonalLength = kBlockDiagonal;
 
 // Two and a half cells per bucket: fewer buckets let a block wait for more of
 // what comes to it, wider ones let it go ahead of shorter ways.
-constexpr int kBucketBits = 10;
+constexpr int kBucketBits = 9;
 
 constexpr int kSide = kBlockSide;
 
@@ -76,25 +76,25 @@ void BlockSearch::SetBlocked(const Cell& cell, bool is_blocked) {
   }
 }
 
-bool BlockSearch::IsFree(const Cell& cell) const {
+inline bool BlockSearch::IsFree(const Cell& cell) const {
   const int bit = kSide * (cell.y & (kSide - 1)) + (cell.x & (kSide - 1));
   return (blocks_[IndexOfBlock(cell)].free_rows >> bit & 1) != 0;
 }
 
-bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
+inline bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
   const Cell step = kSteps[direction];
   return IsFree({cell.x + step.x, cell.y + step.y}) &&
          IsFree({cell.x + step.x, cell.y}) && IsFree({cell.x, cell.y + step.y});
 }
 
-BlockSearch::Length BlockSearch::Heuristic(const Cell& cell) const {
+inline BlockSearch::Length BlockSearch::Heuristic(const Cell& cell) const {
   const Length dx = std::abs(cell.x - goal_.x);
   const Length dy = std::abs(cell.y - goal_.y);
   return kStraightLength * std::max(dx, dy) +
          (kDiagonalLength - kStraightLength) * std::min(dx, dy);
 }
 
-BlockSearch::Length BlockSearch::LengthTo(const Cell& cell) const {
+inline BlockSearch::Length BlockSearch::LengthTo(const Cell& cell) const {
   const Block& block = blocks_[IndexOfBlock(cell)];
   if (block.generation != generation_) return kNone;
   const std::int16_t below = block.rows[cell.y % kSide][cell.x % kSide];
@@ -128,7 +128,7 @@ JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
   return result;
 }
 
-void BlockSearch::Enter(Block& block, Length length) {
+inline void BlockSearch::Enter(Block& block, Length length) {
   block.rows = {};
   block.west = AllLanes(0);
   block.east = AllLanes(0);
@@ -137,7 +137,7 @@ void BlockSearch::Enter(Block& block, Length length) {
   block.generation = generation_;
 }
 
-void BlockSearch::Open(Block& block, Length estimate) {
+inline void BlockSearch::Open(Block& block, Length estimate) {
   if (estimate >= goal_length_ || estimate >= block.key) return;
   block.key = estimate;
   open_.Push(estimate, &block);

@@ -24,29 +24,31 @@ inline constexpr std::int16_t kWall = std::numeric_limits<std::int16_t>::max();
 
 /// kWall in the lanes whose cells are blocked, else 0.
 /// @param[in] free a bit per cell, a byte per row.
-Lanes WallsOfRow(std::uint64_t free, int row);
+inline Lanes WallsOfRow(std::uint64_t free, int row) {
+  const auto byte = static_cast<std::int16_t>(free >> (8 * row) & 0xff);
+  return ((Lanes{1, 2, 4, 8, 16, 32, 64, 128} & byte) == 0) & kWall;
+}
 
 /// What steps from a row to the one beside it, or back, cost; kWall where there
 /// is none.
 struct RowPassage {
   Lanes straight;
-  Lanes up;    ///< diagonal, by the lane that it ends in, from the lower one.
-  Lanes down;  ///< the same from the higher lane.
+  Lanes diagonal;  ///< between a lane and the lower one beside it.
 };
 
 /// @param[in] walls, next of the two rows, as WallsOfRow gives them.
 inline RowPassage PassageBetween(Lanes walls, Lanes next) {
   const Lanes straight = walls | next;
   // A diagonal step needs all four cells, whichever way it goes.
-  const Lanes up = straight | ShiftedUp(straight);
-  return {straight | kBlockStraight, up | kBlockDiagonal,
-          ShiftedDown(up) | kBlockDiagonal};
+  const Lanes diagonal = straight | ShiftedUp(straight);
+  return {straight | kBlockStraight, diagonal | kBlockDiagonal};
 }
 
 /// What the lengths of a row give to those of the row beside it.
 inline Lanes RowOffer(Lanes row, const RowPassage& passage) {
-  const Lanes diagonal = Greater(LessBy(ShiftedUp(row), passage.up),
-                                 LessBy(ShiftedDown(row), passage.down));
+  const Lanes diagonal =
+      Greater(LessBy(ShiftedUp(row), passage.diagonal),
+              ShiftedDown(LessBy(row, passage.diagonal)));
   return Greater(LessBy(row, passage.straight), diagonal);
 }
 
