@@ -247,22 +247,26 @@ inline BlockSearch::Length BlockSearch::LeastEstimate(const Block& block,
 }
 
 inline void BlockSearch::PushCorner(const Block& from, int direction) {
+  constexpr int kLast = kSide - 1;
   const Cell step = kSteps[direction];
-  const int x = step.x > 0 ? kSide - 1 : 0;
-  const int y = step.y > 0 ? kSide - 1 : 0;
-  const int below = from.rows[y][x];
-  if (below == 0) return;
+  const int x = step.x > 0 ? kLast : 0;
+  const int y = step.y > 0 ? kLast : 0;
   const Block* const beside = &from + step.x;
   Block* const over = const_cast<Block*>(&from) + step.y * stride_;
   Block* const to = over + step.x;
   const auto is_free = [](const Block& block, int column, int row) {
-    return block.free_rows >> (kSide * row + column) & 1;
+    return (block.free_rows >> (kSide * row + column) & 1) != 0;
   };
-  constexpr int kLast = kSide - 1;
-  if ((is_free(*beside, kLast - x, y) & is_free(*over, x, kLast - y) &
-       is_free(*to, kLast - x, kLast - y)) == 0) {
-    return;
-  }
+  const int below = from.rows[y][x];
+  const int known = to->rows[kLast - y][kLast - x];
+  // Without branches, which would be guessed wrong: few corners bring news.
+  const bool is_open = (below > 0) & is_free(*beside, kLast - x, y) &
+                       is_free(*over, x, kLast - y) &
+                       is_free(*to, kLast - x, kLast - y);
+  const auto shift = static_cast<int>(to->ceiling - from.ceiling);
+  const bool is_news = (to->generation != generation_) | (known == 0) |
+                       (below - kDiagonalLength + shift > known);
+  if (!(is_open & is_news)) return;
   PushCell(from, *to, {from.x + x + step.x, from.y + y + step.y},
            below - kDiagonalLength);
 }
