@@ -46,9 +46,8 @@ inline RowPassage PassageBetween(Lanes walls, Lanes next) {
 
 /// What the lengths of a row give to those of the row beside it.
 inline Lanes RowOffer(Lanes row, const RowPassage& passage) {
-  const Lanes diagonal =
-      Greater(LessBy(ShiftedUp(row), passage.diagonal),
-              ShiftedDown(LessBy(row, passage.diagonal)));
+  const Lanes diagonal = Greater(LessBy(ShiftedUp(row), passage.diagonal),
+                                 ShiftedDown(LessBy(row, passage.diagonal)));
   return Greater(LessBy(row, passage.straight), diagonal);
 }
 
