@@ -18,7 +18,8 @@ inline Passages PassagesOf(std::uint64_t free) {
   return passages;
 }
 
-/// Steps from row to row, up and, beside that, down.
+/// Steps from row to row, up and down apart from each other, so that neither
+/// waits for the other.
 /// @return true when a length has become less.
 inline bool Sweep(const Passages& passages, LaneSquare& rows) {
   constexpr int kLast = kBlockSide - 1;
@@ -43,10 +44,11 @@ inline bool Sweep(const Passages& passages, LaneSquare& rows) {
 
 }  // namespace
 
-// Shortest ways within a block. A shortest way does not turn by more than a
-// right angle at once, so between two steps along a row it goes from row to
-// row in one direction: a sweep does all of that, and when one sweep changes
-// nothing after the other, all is done.
+// Shortest ways within a block. None goes from a row to the next and straight
+// back, since where it could, a step along the row is open and shorter. So
+// between two steps along a row it goes from row to row in one direction: a
+// sweep does all of that, and when one sweep changes nothing after the other,
+// all is done.
 void RelaxBlock(std::uint64_t free_rows, std::uint64_t free_columns,
                 LaneSquare& rows, LaneSquare& columns) {
   const Passages by_row = PassagesOf(free_rows);

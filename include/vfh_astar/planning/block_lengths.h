@@ -19,7 +19,7 @@ inline constexpr int kBlockSide = kLanes;  ///< cells.
 inline constexpr std::int16_t kBlockStraight = 408;
 inline constexpr std::int16_t kBlockDiagonal = 577;
 
-/// Longer than any length.
+/// No length is greater.
 inline constexpr std::int16_t kWall = std::numeric_limits<std::int16_t>::max();
 
 /// kWall in the lanes whose cells are blocked, else 0.
@@ -53,8 +53,7 @@ inline Lanes RowOffer(Lanes row, const RowPassage& passage) {
 
 /// Steps within the block till no length becomes less.
 /// @param[in] free_rows, free_columns the free cells, a bit per cell, a byte
-/// per
-///   row or per column.
+///   per row or per column.
 /// @param[out] rows lengths, a row per element.
 /// @param[in,out] columns the same with x and y exchanged.
 void RelaxBlock(std::uint64_t free_rows, std::uint64_t free_columns,
