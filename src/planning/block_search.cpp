@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 
 #include "vfh_astar/planning/block_lengths.h"
 #include "vfh_astar/planning/cost_map.h"
@@ -11,39 +10,13 @@
 namespace vfh_astar {
 namespace {
 
-constexpr std::int16_t kStraightLength = kBlockStraight;
-constexpr std::int16_t kDiagonalLength = kBlockDiagonal;
-
-// Two and a half cells per bucket: fewer buckets let a block wait for more of
-// what comes to it, wider ones let it go ahead of shorter ways.
-constexpr int kBucketBits = 10;
+// A cell and a quarter per bucket: wider ones let blocks go ahead of shorter
+// ways and be looked at again, narrower ones gain nothing more.
+constexpr int kBucketBits = 9;
 
 constexpr int kSide = kBlockSide;
 
-// How far below the ceiling lengths may be.
-constexpr int kMost = std::numeric_limits<std::int16_t>::max();
-// Where the first length in a block is put: what comes later may be shorter by
-// ten cells.
-constexpr int kFirst = kMost - 10 * kStraightLength;
-// What is longer may have lost its next step to the end of the range.
-constexpr int kLeast = kDiagonalLength + 1;
-
-bool IsShortOfRange(const LaneSquare& rows) {
-  Lanes is_short{};
-  for (const Lanes& row : rows) is_short |= (row < kLeast) & (row > 0);
-  return AnySet(is_short);
-}
-
 }  // namespace
-
-/// Eight cells in a line at the edge of the block that lengths come to.
-struct BlockSearch::Edge {
-  Lanes from;       ///< lengths on the other side.
-  Lanes from_free;  ///< as masks.
-  Lanes free;
-  Cell first;
-  bool is_vertical;
-};
 
 BlockSearch::BlockSearch(int width, int height)
     : stride_((width + kSide - 1) / kSide + 2),
@@ -76,25 +49,18 @@ void BlockSearch::SetBlocked(const Cell& cell, bool is_blocked) {
   }
 }
 
-bool BlockSearch::IsFree(const Cell& cell) const {
+inline bool BlockSearch::IsFree(const Cell& cell) const {
   const int bit = kSide * (cell.y & (kSide - 1)) + (cell.x & (kSide - 1));
   return (blocks_[IndexOfBlock(cell)].free_rows >> bit & 1) != 0;
 }
 
-bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
+inline bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
   const Cell step = kSteps[direction];
   return IsFree({cell.x + step.x, cell.y + step.y}) &&
          IsFree({cell.x + step.x, cell.y}) && IsFree({cell.x, cell.y + step.y});
 }
 
-BlockSearch::Length BlockSearch::Heuristic(const Cell& cell) const {
-  const Length dx = std::abs(cell.x - goal_.x);
-  const Length dy = std::abs(cell.y - goal_.y);
-  return kStraightLength * std::max(dx, dy) +
-         (kDiagonalLength - kStraightLength) * std::min(dx, dy);
-}
-
-BlockSearch::Length BlockSearch::LengthTo(const Cell& cell) const {
+inline BlockSearch::Length BlockSearch::LengthTo(const Cell& cell) const {
   const Block& block = blocks_[IndexOfBlock(cell)];
   if (block.generation != generation_) return kNone;
   const std::int16_t below = block.rows[cell.y % kSide][cell.x % kSide];
@@ -128,199 +94,6 @@ JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
   return result;
 }
 
-void BlockSearch::Enter(Block& block, Length length) {
-  block.rows = {};
-  block.west = AllLanes(0);
-  block.east = AllLanes(0);
-  block.ceiling = length + kFirst;
-  block.key = kNone;
-  block.generation = generation_;
-}
-
-void BlockSearch::Open(Block& block, Length estimate) {
-  if (estimate >= goal_length_ || estimate >= block.key) return;
-  block.key = estimate;
-  open_.Push(estimate, &block);
-}
-
-void BlockSearch::Expand(Block& block) {
-  LaneSquare columns = Transposed(block.rows);
-  columns.front() = Greater(columns.front(), block.west);
-  columns.back() = Greater(columns.back(), block.east);
-  LaneSquare rows;
-  RelaxBlock(block.free_rows, block.free_columns, rows, columns);
-  block.rows = rows;
-  if (IsShortOfRange(rows)) DropShort(block);
-  block.west = columns.front();
-  block.east = columns.back();
-
-  constexpr int kLast = kSide - 1;
-  Block& below = (&block)[-stride_];
-  Block& above = (&block)[stride_];
-  Block& west = (&block)[-1];
-  Block& east = (&block)[1];
-  PushEdge(block, below,
-           {rows.front(),
-            MaskOfRow(block.free_rows, 0),
-            MaskOfRow(below.free_rows, kLast),
-            {block.x, block.y - 1},
-            false},
-           below.rows.back());
-  PushEdge(block, above,
-           {rows.back(),
-            MaskOfRow(block.free_rows, kLast),
-            MaskOfRow(above.free_rows, 0),
-            {block.x, block.y + kSide},
-            false},
-           above.rows.front());
-  PushEdge(block, west,
-           {columns.front(),
-            MaskOfRow(block.free_columns, 0),
-            MaskOfRow(west.free_columns, kLast),
-            {block.x - 1, block.y},
-            true},
-           west.east);
-  PushEdge(block, east,
-           {columns.back(),
-            MaskOfRow(block.free_columns, kLast),
-            MaskOfRow(east.free_columns, 0),
-            {block.x + kSide, block.y},
-            true},
-           east.west);
-  for (const int direction : {1, 3, 5, 7}) PushCorner(block, direction);
-}
-
-inline void BlockSearch::PushEdge(const Block& from, Block& to,
-                                  const Edge& edge, Lanes& lengths) {
-  const Lanes straight = edge.from_free & edge.free;
-  const Lanes up = straight & ShiftedUp(straight);
-  const Lanes offers = RowOffer(edge.from, straight, up, ShiftedDown(up));
-  const Lanes is_offered = offers > 0;
-  if (to.generation != generation_) {
-    if (!AnySet(is_offered)) return;
-    Enter(to, from.ceiling - GreatestLane(offers));
-  }
-  const int shift = static_cast<int>(to.ceiling - from.ceiling);
-  const bool fits = -kMost < shift && (shift <= kStraightLength ||
-                                       GreatestLane(offers) + shift <= kMost);
-  if (fits) {
-    const Lanes news =
-        Greater(offers + static_cast<std::int16_t>(shift), AllLanes(1)) &
-        is_offered;
-    const Lanes is_less = news > lengths;
-    if (!AnySet(is_less)) return;
-    if (!AnySet(is_less & (news < kLeast))) {
-      lengths = Greater(lengths, news);
-      Open(to, LeastEstimate(to, edge, is_less ? news : AllLanes(0)));
-      return;
-    }
-  }
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (offers[lane] <= 0) continue;
-    const Cell cell = {edge.first.x + (edge.is_vertical ? 0 : lane),
-                       edge.first.y + (edge.is_vertical ? lane : 0)};
-    PushCell(from, to, cell, offers[lane]);
-  }
-}
-
-inline BlockSearch::Length BlockSearch::LeastEstimate(const Block& block,
-                                                      const Edge& edge,
-                                                      Lanes lengths) const {
-  using Unsigned = std::uint16_t __attribute__((vector_size(16)));
-  const int along =
-      edge.is_vertical ? goal_.y - edge.first.y : goal_.x - edge.first.x;
-  const int across = std::abs(edge.is_vertical ? goal_.x - edge.first.x
-                                               : goal_.y - edge.first.y);
-  const Lanes ahead =
-      Lanes{0, 1, 2, 3, 4, 5, 6, 7} - static_cast<std::int16_t>(along);
-  const Lanes a = Greater(ahead, -ahead);
-  const Lanes b = AllLanes(static_cast<std::int16_t>(across));
-  // Only what they exceed the least one by fits into the lanes.
-  const int least_a = std::abs(std::clamp(along, 0, kLanes - 1) - along);
-  const Length least =
-      kStraightLength * std::max(least_a, across) +
-      (kDiagonalLength - kStraightLength) * std::min(least_a, across);
-  const Lanes excess =
-      (Lanes)((Unsigned)Greater(a, b) * std::uint16_t{kStraightLength} +
-              (Unsigned)Lesser(a, b) *
-                  std::uint16_t{kDiagonalLength - kStraightLength} -
-              static_cast<std::uint16_t>(least));
-  return block.ceiling + least - GreatestLane(lengths - excess);
-}
-
-inline void BlockSearch::PushCorner(const Block& from, int direction) {
-  const Cell step = kSteps[direction];
-  const int x = step.x > 0 ? kSide - 1 : 0;
-  const int y = step.y > 0 ? kSide - 1 : 0;
-  const int below = from.rows[y][x];
-  if (below == 0) return;
-  const Block* const beside = &from + step.x;
-  Block* const over = const_cast<Block*>(&from) + step.y * stride_;
-  Block* const to = over + step.x;
-  const auto is_free = [](const Block& block, int column, int row) {
-    return block.free_rows >> (kSide * row + column) & 1;
-  };
-  constexpr int kLast = kSide - 1;
-  if ((is_free(*beside, kLast - x, y) & is_free(*over, x, kLast - y) &
-       is_free(*to, kLast - x, kLast - y)) == 0) {
-    return;
-  }
-  PushCell(from, *to, {from.x + x + step.x, from.y + y + step.y},
-           below - kDiagonalLength);
-}
-
-void BlockSearch::PushCell(const Block& from, Block& to, const Cell& cell,
-                           int below) {
-  const Length length = from.ceiling - below;
-  const Length estimate = length + Heuristic(cell);
-  if (estimate >= goal_length_) return;
-  if (to.generation != generation_) Enter(to, length);
-  int below_to = static_cast<int>(to.ceiling - length);
-  if (below_to > kMost) {
-    LowerCeiling(to, below_to - kFirst);
-    below_to = kFirst;
-  }
-  std::int16_t* const row =
-      reinterpret_cast<std::int16_t*>(&to.rows[cell.y % kSide]);
-  std::int16_t& known = row[cell.x % kSide];
-  if (known != 0 && below_to <= known) return;
-  if (below_to < kLeast) {
-    Drop(estimate);
-    return;
-  }
-  known = static_cast<std::int16_t>(below_to);
-  Open(to, estimate);
-}
-
-void BlockSearch::DropShort(const Block& block) {
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      const int below = block.rows[y][x];
-      if (below == 0 || below >= kLeast) continue;
-      Drop(block.ceiling - below + Heuristic({block.x + x, block.y + y}));
-    }
-  }
-}
-
-void BlockSearch::LowerCeiling(Block& block, int by) {
-  for (int y = 0; y < kSide; ++y) {
-    Lanes& row = block.rows[y];
-    row[0] = std::max(row[0], block.west[y]);
-    row[kSide - 1] = std::max(row[kSide - 1], block.east[y]);
-    for (int x = 0; x < kSide; ++x) {
-      if (row[x] == 0) continue;
-      const int below = row[x] - by;
-      if (below <= 0) {
-        Drop(block.ceiling - row[x] + Heuristic({block.x + x, block.y + y}));
-      }
-      row[x] = static_cast<std::int16_t>(std::max(0, below));
-    }
-  }
-  block.west = AllLanes(0);
-  block.east = AllLanes(0);
-  block.ceiling -= by;
-}
-
 void BlockSearch::TracePath(const Cell& start, JumpPointResult& result) const {
   result.is_found = true;
   result.cells = {goal_};
@@ -331,8 +104,7 @@ void BlockSearch::TracePath(const Cell& start, JumpPointResult& result) const {
     Cell before;
     for (;; ++direction) {
       assert(direction < kDirections);
-      const Length step =
-          direction % 2 == 0 ? kStraightLength : kDiagonalLength;
+      const Length step = direction % 2 == 0 ? kBlockStraight : kBlockDiagonal;
       before = {cell.x + kSteps[direction].x, cell.y + kSteps[direction].y};
       if (IsOpen(cell, direction) && LengthTo(before) == length - step) {
         length -= step;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "vfh_astar/planning/lanes.h"
 
@@ -18,23 +19,41 @@ inline constexpr int kBlockSide = kLanes;  ///< cells.
 inline constexpr std::int16_t kBlockStraight = 408;
 inline constexpr std::int16_t kBlockDiagonal = 577;
 
-/// All bits in the lanes whose cells are free.
-/// @param[in] free a bit per cell, a byte per row.
-Lanes MaskOfRow(std::uint64_t free, int row);
+/// No length is greater.
+inline constexpr std::int16_t kWall = std::numeric_limits<std::int16_t>::max();
 
-/// What the lengths of a row give to those of the row beside it. May be less
-/// than 0 where it is not a length.
-/// @param[in] straight where both rows are free, as a mask.
-/// @param[in] up, down where a diagonal step to the higher or lower lane ends.
-inline Lanes RowOffer(Lanes row, Lanes straight, Lanes up, Lanes down) {
-  const Lanes diagonal = Greater(ShiftedUp(row) & up, ShiftedDown(row) & down);
-  return Greater((row - kBlockStraight) & straight, diagonal - kBlockDiagonal);
+/// kWall in the lanes whose cells are blocked, else 0.
+/// @param[in] free a bit per cell, a byte per row.
+inline Lanes WallsOfRow(std::uint64_t free, int row) {
+  const auto byte = static_cast<std::int16_t>(free >> (8 * row) & 0xff);
+  return ((Lanes{1, 2, 4, 8, 16, 32, 64, 128} & byte) == 0) & kWall;
+}
+
+/// What steps from a row to the one beside it, or back, cost; kWall where there
+/// is none.
+struct RowPassage {
+  Lanes straight;
+  Lanes diagonal;  ///< between a lane and the lower one beside it.
+};
+
+/// @param[in] walls, next of the two rows, as WallsOfRow gives them.
+inline RowPassage PassageBetween(Lanes walls, Lanes next) {
+  const Lanes straight = walls | next;
+  // A diagonal step needs all four cells, whichever way it goes.
+  const Lanes diagonal = straight | ShiftedUp(straight);
+  return {straight | kBlockStraight, diagonal | kBlockDiagonal};
+}
+
+/// What the lengths of a row give to those of the row beside it.
+inline Lanes RowOffer(Lanes row, const RowPassage& passage) {
+  const Lanes diagonal = Greater(LessBy(ShiftedUp(row), passage.diagonal),
+                                 ShiftedDown(LessBy(row, passage.diagonal)));
+  return Greater(LessBy(row, passage.straight), diagonal);
 }
 
 /// Steps within the block till no length becomes less.
 /// @param[in] free_rows, free_columns the free cells, a bit per cell, a byte
-/// per
-///   row or per column.
+///   per row or per column.
 /// @param[out] rows lengths, a row per element.
 /// @param[in,out] columns the same with x and y exchanged.
 void RelaxBlock(std::uint64_t free_rows, std::uint64_t free_columns,

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
 #include "vfh_astar/grid/grid.h"
+#include "vfh_astar/planning/block_lengths.h"
 #include "vfh_astar/planning/bucket_queue.h"
 #include "vfh_astar/planning/jump_point_search.h"
 #include "vfh_astar/planning/lanes.h"
@@ -44,6 +46,11 @@ class BlockSearch {
  private:
   using Length = std::uint32_t;
   static constexpr Length kNone = std::numeric_limits<Length>::max();
+  // How far below the ceiling lengths may be.
+  static constexpr int kMost = std::numeric_limits<std::int16_t>::max();
+  // Where the first length in a block is put: what comes later may be shorter
+  // by ten cells.
+  static constexpr int kFirst = kMost - 10 * kBlockStraight;
 
   /// Lengths are kept as what they fall short of the block's `ceiling`, so that
   /// 16 bits do and 0 is a cell that no way leads to.
@@ -98,6 +105,28 @@ class BlockSearch {
   Length goal_length_ = 0;
   Length dropped_estimate_ = kNone;
 };
+
+inline BlockSearch::Length BlockSearch::Heuristic(const Cell& cell) const {
+  const Length dx = std::abs(cell.x - goal_.x);
+  const Length dy = std::abs(cell.y - goal_.y);
+  return kBlockStraight * std::max(dx, dy) +
+         (kBlockDiagonal - kBlockStraight) * std::min(dx, dy);
+}
+
+inline void BlockSearch::Enter(Block& block, Length length) {
+  block.rows = {};
+  block.west = AllLanes(0);
+  block.east = AllLanes(0);
+  block.ceiling = length + kFirst;
+  block.key = kNone;
+  block.generation = generation_;
+}
+
+inline void BlockSearch::Open(Block& block, Length estimate) {
+  if (estimate >= goal_length_ || estimate >= block.key) return;
+  block.key = estimate;
+  open_.Push(estimate, &block);
+}
 
 }  // namespace vfh_astar
 

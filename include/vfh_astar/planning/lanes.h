@@ -23,6 +23,16 @@ inline Lanes Greater(Lanes a, Lanes b) { return a > b ? a : b; }
 
 inline Lanes Lesser(Lanes a, Lanes b) { return a < b ? a : b; }
 
+/// a - b where that is more than 0, else 0. No lane of `a` or `b` is less than
+/// 0.
+inline Lanes LessBy(Lanes a, Lanes b) {
+#ifdef __SSE2__
+  return (Lanes)_mm_subs_epu16((__m128i)a, (__m128i)b);
+#else
+  return Greater(a - b, Lanes{});
+#endif
+}
+
 /// Every lane moves to the next higher one; the lowest becomes 0.
 inline Lanes ShiftedUp(Lanes v) {
 #ifdef __SSE2__

@@ -26,6 +26,13 @@ TEST(Lanes, TransposeTurnsRowsIntoColumns) {
   }
 }
 
+TEST(Lanes, DifferenceStopsAtZero) {
+  const Lanes less = LessBy({0, 0, 5, 5, 5, 32767, 32767, 32767},
+                            {0, 32767, 4, 5, 6, 0, 32766, 32767});
+  const Lanes expected = {0, 0, 1, 0, 0, 32767, 1, 0};
+  for (int i = 0; i < kLanes; ++i) EXPECT_EQ(less[i], expected[i]);
+}
+
 TEST(Lanes, AnyLaneCounts) {
   EXPECT_FALSE(AnySet(AllLanes(0)));
   for (int i = 0; i < kLanes; ++i) {
