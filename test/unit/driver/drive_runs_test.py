@@ -10,6 +10,12 @@ from driver.drive_runs import DriveRun, RunStore
 _PROGRAM = drive_runs.PROGRAM
 
 
+def _simulated(results):
+    """Without what says how fast the machine was."""
+    return [{name: value for name, value in result.items()
+             if not name.startswith("control_tick_")} for result in results]
+
+
 def _labels_of(run):
     return dict(run.labels)
 
@@ -144,7 +150,7 @@ class DriveRunsTest(unittest.TestCase):
             together = drive_runs.perform_all(
                 self.runs, drive_runs.make_executor(
                     1, cluster.scheduler_address), self.store())
-        self.assertEqual(together, alone)
+        self.assertEqual(_simulated(together), _simulated(alone))
         self.assertEqual(len({run["path_m"] for run in alone}), 4)
 
     def test_no_cluster_is_said(self):
