@@ -9,7 +9,7 @@ import signal
 from dataclasses import dataclass
 from typing import Optional, Tuple
 
-from driver import scene
+from driver import drive_runs, scene
 from driver.drive_record import DriveRecord
 from driver.launched_stack import LaunchedStack, LaunchError
 from driver.stacks import STACKS, Stack
@@ -17,8 +17,9 @@ from driver.stacks import STACKS, Stack
 OUTPUT = os.path.join(scene.OUTPUT, "compare")
 _LAUNCH_FILE = os.path.join(scene.ROOT, "launch", "compare.launch")
 # What a drive's result follows from besides its files.
-_BUILD = tuple(os.path.join(scene.OUTPUT, "devel", "lib", *name) for name in (
-    ("libvfh_astar_nodelets.so",), ("vfh_astar", "simulator_node")))
+_BUILD = drive_runs.LIBRARIES + tuple(
+    os.path.join(scene.OUTPUT, "devel", "lib", *name) for name in (
+        ("libvfh_astar_nodelets.so",), ("vfh_astar", "simulator_node")))
 
 
 @dataclass(frozen=True)

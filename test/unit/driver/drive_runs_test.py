@@ -33,6 +33,11 @@ class DriveRunsTest(unittest.TestCase):
         # What the digest reads in the program's place.
         self.addCleanup(setattr, drive_runs, "PROGRAM", drive_runs.PROGRAM)
         drive_runs.PROGRAM = self.world
+        self.library = os.path.join(self._folder.name, "library")
+        with open(self.library, "w") as content:
+            content.write("one")
+        self.addCleanup(setattr, drive_runs, "LIBRARIES", drive_runs.LIBRARIES)
+        drive_runs.LIBRARIES = (self.library,)
         self.runs = [DriveRun((("run", i),), self.world, self.config)
                      for i in range(5)]
 
@@ -115,6 +120,12 @@ class DriveRunsTest(unittest.TestCase):
         self.store().add(0, {})
         with open(self.config, "a") as content:
             content.write("changed")
+        self.assertEqual(self.store().load(), {})
+
+    def test_another_build_is_another_set(self):
+        self.store().add(0, {})
+        with open(self.library, "w") as content:
+            content.write("two")
         self.assertEqual(self.store().load(), {})
 
     def test_a_dask_cluster_gives_the_same(self):
