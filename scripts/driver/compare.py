@@ -98,8 +98,16 @@ def _scenes(options):
                                "without --scenes".format(own[0]))
     if own:
         return [_scene(options.world or scene.DEFAULT_WORLD, options)]
-    return [_scene(_world_of(name), options)
-            for name in (options.scenes or "hairpin").split(",")]
+    scenes = {}
+    for name in (options.scenes or "hairpin").split(","):
+        place = _scene(_world_of(name), options)
+        # Logs, pictures and tables are told apart by it.
+        other = scenes.setdefault(place.name, place)
+        if other.world != place.world:
+            raise scene.SceneError(
+                "--scenes: {} and {} are both called {}; expected one of "
+                "them".format(other.world, place.world, place.name))
+    return list(scenes.values())
 
 
 def _world_of(name):
