@@ -4,11 +4,11 @@ agree: in success to one run in fifty, in mean time to 5 %."""
 import argparse
 import json
 import os
-import signal
 import sys
 from dataclasses import dataclass
 
-from driver import barn, comparison, drive_runs, poses, scene
+from driver import (amounts, barn, comparison, drive_runs, interruption, poses,
+                    scene)
 
 _OUTPUT = os.path.join(scene.OUTPUT, "agreement")
 _CONFIG = os.path.join(scene.ROOT, "config", "jackal.yaml")
@@ -29,21 +29,19 @@ def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="agreement", description=__doc__)
     parser.add_argument("--worlds", metavar="FOLDER", required=True,
                         help="of world_<index>.world files")
-    parser.add_argument("--indices", metavar="N,...",
-                        type=lambda text: [int(n) for n in text.split(",")],
+    parser.add_argument("--indices", metavar="N,...", type=amounts.indices,
                         help="of the worlds (the first ten)")
-    parser.add_argument("--runs", type=int, default=5, metavar="N",
+    parser.add_argument("--runs", type=amounts.count, default=5, metavar="N",
                         help="of each world, each with a seed of its own (5)")
     parser.add_argument("--start", type=poses.pose_argument,
                         metavar="X,Y,YAW", default=barn.START,
                         help="m, m, rad (-2,3,1.57)")
-    parser.add_argument("--pace", type=float, default=1.0, metavar="FACTOR",
+    parser.add_argument("--pace", type=amounts.pace, default=1.0,
+                        metavar="FACTOR",
                         help="simulated seconds per second through ROS (1)")
     parser.add_argument("--json", metavar="FILE",
                         help="write the figures to a file too")
     options = parser.parse_args(arguments)
-    if options.runs < 1:
-        parser.error("--runs is {}; expected 1 or more".format(options.runs))
     try:
         files = barn.world_files(options.worlds, r"world_(\d+)\.world",
                                  options.indices)
@@ -117,14 +115,9 @@ def drive_all(options):
     return in_process, through_ros
 
 
-def _end_on_signal(number, _):
-    raise SystemExit(128 + number)
-
-
 def main():
     options = parse_arguments(sys.argv[1:])
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, _end_on_signal)
+    interruption.exit_on_signals()
     os.makedirs(_OUTPUT, exist_ok=True)
     try:
         outcomes = drive_all(options)

@@ -4,13 +4,12 @@ table, and with --json writes the same figures to a file."""
 import argparse
 import json
 import os
-import signal
 import subprocess
 import sys
 
-from driver import (barn, config_text, drive_runs, paper_pictures,
-                    paper_scenes, poses, scene, search_space, tune,
-                    tune_command)
+from driver import (amounts, barn, config_text, drive_runs, interruption,
+                    paper_pictures, paper_scenes, poses, scene, search_space,
+                    tune, tune_command)
 
 # What the benchmark program does in one run, with options of its own.
 _PROGRAM_COMMANDS = {
@@ -25,26 +24,11 @@ _STAGES = ("localize", "map_insert", "inflation_update", "plan", "fit",
 _HAIRPIN = os.path.join(scene.ROOT, "worlds", "hairpin.yaml")
 
 
-def _count(text):
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError("{} is not 1 or more".format(value))
-    return value
-
-
-def _indices(text):
-    try:
-        return sorted({int(part) for part in text.split(",")})
-    except ValueError:
-        raise argparse.ArgumentTypeError(
-            "'{}': expected whole numbers with commas between them".format(text))
-
-
 def _add_run_options(parser, count):
-    parser.add_argument("--runs", type=_count, default=count, metavar="N",
+    parser.add_argument("--runs", type=amounts.count, default=count, metavar="N",
                         help="of each, every one with a seed of its own "
                         "({})".format(count))
-    parser.add_argument("--jobs", type=_count, default=os.cpu_count(),
+    parser.add_argument("--jobs", type=amounts.count, default=os.cpu_count(),
                         metavar="N", help="processes at a time (one for each "
                         "processor)")
     parser.add_argument("--scheduler", metavar="ADDRESS",
@@ -54,7 +38,7 @@ def _add_run_options(parser, count):
 def _add_world_options(parser):
     parser.add_argument("--worlds", required=True, metavar="DIR",
                         help="folder of the worlds")
-    parser.add_argument("--indices", type=_indices, metavar="I,J,...",
+    parser.add_argument("--indices", type=amounts.indices, metavar="I,J,...",
                         help="of the worlds (all there are)")
     _add_config_option(parser)
 
@@ -89,7 +73,7 @@ def make_parser():
     for command in (static, dynamic):
         _add_world_options(command)
     tuning = commands.add_parser("tune", help=tune_command.HELP)
-    tune_command.add_options(tuning, _count, _indices)
+    tune_command.add_options(tuning)
     _add_config_option(tuning)
     for command in (static, dynamic, paper, tuning):
         _add_run_options(command, 1)
@@ -200,13 +184,8 @@ def run(options):
     return figures, make_table(figures)
 
 
-def _end_on_signal(number, _):
-    raise SystemExit(128 + number)
-
-
 def main():
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, _end_on_signal)
+    interruption.exit_on_signals()
     options = parse_arguments(sys.argv[1:])
     try:
         figures, lines = run(options)

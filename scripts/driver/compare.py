@@ -4,10 +4,10 @@ and writes a report that compares them."""
 import argparse
 import json
 import os
-import signal
 import sys
 
-from driver import comparison, machine, scene, world_file
+from driver import (amounts, benchmark_tables, comparison, interruption, machine,
+                    scene, world_file)
 from driver.stacks import STACKS
 
 _STACKS = ("move_base", "vfh_astar_paper", "vfh_astar")  # as the paper has them
@@ -27,21 +27,6 @@ def _list(known, what):
     return read
 
 
-def _runs(text):
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError("{} is not 1 or more".format(value))
-    return value
-
-
-def _pace(text):
-    value = float(text)
-    if not 0.0 < value <= 1.0:
-        raise argparse.ArgumentTypeError(
-            "{!r} is no number above 0 up to 1".format(text))
-    return value
-
-
 def make_parser():
     parser = argparse.ArgumentParser(prog="compare", description=__doc__)
     parser.add_argument("--stacks", type=_list(STACKS, "stack"),
@@ -53,9 +38,9 @@ def make_parser():
     parser.add_argument("--noise", type=_list(_NOISES, "noise"),
                         default=list(_NOISES), metavar="NAME,...",
                         help="out of {} (both)".format(", ".join(_NOISES)))
-    parser.add_argument("--runs", type=_runs, default=1, metavar="N",
+    parser.add_argument("--runs", type=amounts.count, default=1, metavar="N",
                         help="of each, every one with a seed of its own (1)")
-    parser.add_argument("--pace", type=_pace, default=1.0, metavar="FACTOR",
+    parser.add_argument("--pace", type=amounts.pace, default=1.0, metavar="FACTOR",
                         help="simulated seconds per second of the wall clock; "
                         "below 1 every stack has more of a slow machine (1)")
     scene.add_arguments(parser)
@@ -74,7 +59,6 @@ def make_parser():
 def parse_arguments(arguments):
     parser = make_parser()
     options = parser.parse_args(arguments)
-    from driver import benchmark_tables
     try:
         options.scenes = _scenes(options)
         options.benchmarks = {
@@ -98,8 +82,16 @@ def _scenes(options):
                                "without --scenes".format(own[0]))
     if own:
         return [_scene(options.world or scene.DEFAULT_WORLD, options)]
-    return [_scene(_world_of(name), options)
-            for name in (options.scenes or "hairpin").split(",")]
+    scenes = {}
+    for name in (options.scenes or "hairpin").split(","):
+        place = _scene(_world_of(name), options)
+        # Logs, pictures and tables are told apart by it.
+        other = scenes.setdefault(place.name, place)
+        if other.world != place.world:
+            raise scene.SceneError(
+                "--scenes: {} and {} are both called {}; expected one of "
+                "them".format(other.world, place.world, place.name))
+    return list(scenes.values())
 
 
 def _world_of(name):
@@ -132,14 +124,9 @@ def _to_json(drives, facts):
     }
 
 
-def _end_on_signal(number, _):
-    raise SystemExit(128 + number)
-
-
 def main():
     options = parse_arguments(sys.argv[1:])
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, _end_on_signal)
+    interruption.exit_on_signals()
     logs = os.path.join(options.report, "logs")
     os.makedirs(logs, exist_ok=True)
     tasks = comparison.make_tasks(options.stacks, options.scenes, options.noise,

@@ -5,11 +5,10 @@ import hashlib
 import multiprocessing
 import os
 import pickle
-import signal
 from dataclasses import dataclass
 from typing import Optional, Tuple
 
-from driver import scene
+from driver import drive_runs, interruption, scene
 from driver.drive_record import DriveRecord
 from driver.launched_stack import LaunchedStack, LaunchError
 from driver.stacks import STACKS, Stack
@@ -17,8 +16,9 @@ from driver.stacks import STACKS, Stack
 OUTPUT = os.path.join(scene.OUTPUT, "compare")
 _LAUNCH_FILE = os.path.join(scene.ROOT, "launch", "compare.launch")
 # What a drive's result follows from besides its files.
-_BUILD = tuple(os.path.join(scene.OUTPUT, "devel", "lib", *name) for name in (
-    ("libvfh_astar_nodelets.so",), ("vfh_astar", "simulator_node")))
+_BUILD = drive_runs.LIBRARIES + tuple(
+    os.path.join(scene.OUTPUT, "devel", "lib", *name) for name in (
+        ("libvfh_astar_nodelets.so",), ("vfh_astar", "simulator_node")))
 
 
 @dataclass(frozen=True)
@@ -165,8 +165,7 @@ def perform_apart(task, log_folder):
 
 def perform(task, log_folder):
     """The drive's DriveRecord, or the sentence that says why there is none."""
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, _end_on_signal)
+    interruption.exit_on_signals()
     stack = STACKS[task.stack]
     x, y, yaw = task.scene.start
     arguments = dict(stack.launch_arguments, world=task.scene.world, x=x, y=y,
@@ -207,7 +206,3 @@ def _drive(task, stack, launched):
     record.peak_memory = sum(map(node_processes.peak_memory, processes))
     record.missed_cycles = missed.finish()
     return record
-
-
-def _end_on_signal(number, _):
-    raise SystemExit(128 + number)

@@ -42,8 +42,10 @@ class ConfigText:
     def number(self, name):
         """int or float, as it is written. Raises ConfigError."""
         node = self._scalar(name)
+        # A number in quotes is a text, and stays one.
         value = (yaml.safe_load(node.value)
-                 if isinstance(node, yaml.ScalarNode) else None)
+                 if isinstance(node, yaml.ScalarNode) and not node.style
+                 else None)
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise ConfigError("{}: {} is {!r}; expected a number".format(
                 self.file, name, getattr(node, "value", None)

@@ -4,11 +4,10 @@ tells how it went and draws it."""
 import argparse
 import json
 import os
-import signal
 import sys
 import time
 
-from driver import demo_report, scene, world_file
+from driver import demo_report, interruption, scene, world_file
 from driver.launched_stack import LaunchedStack, LaunchError
 
 _OUTPUT = os.path.join(scene.OUTPUT, "demo")
@@ -153,14 +152,9 @@ def follow_clicks(stack, observers):
         time.sleep(0.1)
 
 
-def _end_on_signal(number, _):
-    raise SystemExit(128 + number)
-
-
 def main():
     options = parse_arguments(sys.argv[1:])
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, _end_on_signal)
+    interruption.exit_on_signals()
     try:
         return 0 if run(options) else 1
     except LaunchError as error:

@@ -13,6 +13,10 @@ from driver import scene
 
 PROGRAM = os.path.join(scene.OUTPUT, "devel", "lib", "vfh_astar",
                        "vfh_astar_benchmark")
+# What it drives with: catkin links them when the program starts, so that it stays
+# the same file when they change.
+LIBRARIES = tuple(os.path.join(scene.OUTPUT, "devel", "lib", name) for name in (
+    "libvfh_astar_core.so", "libvfh_astar_simulation.so"))
 _STORE = os.path.join(scene.OUTPUT, "benchmark")
 
 
@@ -64,7 +68,7 @@ class RunStore:
     @staticmethod
     def _digest(runs):
         digest = hashlib.sha256()
-        files = {PROGRAM}
+        files = {PROGRAM, *LIBRARIES}
         for run in runs:
             files |= {run.config} | ({run.world} - {None})
             digest.update(repr(run).encode())

@@ -24,7 +24,8 @@ def describe():
         "processor": _field("/proc/cpuinfo", "model name")
         or platform.processor(),
         "processors": str(len(os.sched_getaffinity(0))),
-        "memory": memory and "{:.1f} GB".format(int(memory.split()[0]) / 1e6),
+        "memory": memory and "{:.1f} GB".format(
+            int(memory.split()[0]) * 1024 / 1e9),
         "system": _field("/etc/os-release", "PRETTY_NAME"),
         "kernel": platform.release(),
         "ROS": os.environ.get("ROS_DISTRO"),

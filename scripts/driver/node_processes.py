@@ -11,9 +11,12 @@ _CALLER = "/node_processes"
 def process_of_node(name):
     """The process id of a running node on this machine.
 
-    Raises rosgraph.MasterError for a node that the master does not know.
+    Raises OSError for a node that the master does not know or that is gone.
     """
-    uri = rosgraph.Master(_CALLER).lookupNode(name)
+    try:
+        uri = rosgraph.Master(_CALLER).lookupNode(name)
+    except rosgraph.MasterError as error:
+        raise OSError("there is no node {}: {}".format(name, error)) from error
     _, message, pid = ServerProxy(uri).getPid(_CALLER)
     if pid <= 0:
         raise OSError("node {} has no process id: {}".format(name, message))

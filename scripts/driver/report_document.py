@@ -91,9 +91,11 @@ class Picture:
 def write(title, blocks: List, folder):
     """Writes report.md and report.html beside the pictures."""
     blocks = [Heading(1, title), *blocks]
-    with open(os.path.join(folder, "report.md"), "w") as file:
+    with open(os.path.join(folder, "report.md"), "w",
+              encoding="utf-8") as file:
         file.write("\n\n".join(block.markdown() for block in blocks) + "\n")
-    with open(os.path.join(folder, "report.html"), "w") as file:
+    with open(os.path.join(folder, "report.html"), "w",
+              encoding="utf-8") as file:
         file.write('<!DOCTYPE html>\n<html lang="en">\n<head>\n'
                    '<meta charset="utf-8">\n'
                    '<meta name="viewport" content="width=device-width">\n'

@@ -56,7 +56,8 @@ class TuneTask:
         digest = hashlib.sha256(repr((
             self.base.text, self.space, self.training, self.runs, self.start,
             self.k, self.seed)).encode())
-        for file in [drive_runs.PROGRAM] + [w.file for w in self.training]:
+        for file in (drive_runs.PROGRAM, *drive_runs.LIBRARIES,
+                     *(w.file for w in self.training)):
             with open(file, "rb") as content:
                 digest.update(content.read())
         return digest.hexdigest()[:16]

@@ -1,10 +1,9 @@
 """The command `benchmark tune`: a search on some worlds, and what its best
 configuration is worth on others."""
 
-import argparse
 import os
 
-from driver import barn, confidence, drive_runs, poses, scene
+from driver import amounts, barn, confidence, drive_runs, poses, scene
 from driver import search_space, tune, tune_worlds
 from driver.config_text import ConfigText
 
@@ -13,30 +12,21 @@ HELP = "searches a configuration's parameters on some worlds, and tries the " \
 _SPACE = os.path.join(scene.ROOT, "config", "tune.yaml")
 
 
-def _share(text):
-    value = float(text)
-    if not 0.0 < value < 1.0:
-        raise argparse.ArgumentTypeError("{} is not between 0 and 1".format(
-            value))
-    return value
-
-
-def add_options(parser, count, indices):
-    """count, indices: readers of a number from 1 and of a list of worlds."""
+def add_options(parser):
     parser.add_argument("--worlds", required=True, action="append",
                         metavar="DIR", help="folder of BARN's or DynaBARN's "
                         "worlds; may be given for each")
-    parser.add_argument("--train", type=indices, metavar="I,J,...",
+    parser.add_argument("--train", type=amounts.indices, metavar="I,J,...",
                         help="the worlds to search on (drawn)")
-    parser.add_argument("--held-out", type=indices, metavar="I,J,...",
+    parser.add_argument("--held-out", type=amounts.indices, metavar="I,J,...",
                         help="the worlds that the search does not see (the "
                         "rest)")
-    parser.add_argument("--held-out-share", type=_share, default=0.5,
+    parser.add_argument("--held-out-share", type=amounts.share, default=0.5,
                         metavar="S", help="of the worlds, where they are drawn "
                         "(0.5)")
     parser.add_argument("--space", metavar="FILE", default=_SPACE,
                         help="what may be changed (config/tune.yaml)")
-    parser.add_argument("--trials", type=count, default=60, metavar="N",
+    parser.add_argument("--trials", type=amounts.count, default=60, metavar="N",
                         help="configurations to try (60); more of them later "
                         "go on with the same search")
     parser.add_argument("--seed", type=int, default=1, metavar="S",

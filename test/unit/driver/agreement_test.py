@@ -1,8 +1,12 @@
 """When drives in one process and through ROS agree."""
 
+import contextlib
+import io
+import os
+import tempfile
 import unittest
 
-from driver.agreement import Outcome, compare
+from driver.agreement import Outcome, compare, parse_arguments
 
 
 def outcomes(times, failures=0):
@@ -33,6 +37,37 @@ class AgreementTest(unittest.TestCase):
     def test_nothing_finished_is_no_agreement(self):
         failed = outcomes([100.0] * 2, failures=2)
         self.assertFalse(compare(failed, failed)["agree"])
+
+
+class AgreementOptionsTest(unittest.TestCase):
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        for i in range(12):
+            with open(os.path.join(self.folder, "world_{}.world".format(i)),
+                      "w"):
+                pass
+
+    def error_of(self, *arguments):
+        with contextlib.redirect_stderr(io.StringIO()) as stream, \
+                self.assertRaises(SystemExit):
+            parse_arguments(["--worlds", self.folder, *arguments])
+        return stream.getvalue()
+
+    def test_the_first_ten_worlds_or_those_that_are_named(self):
+        options = parse_arguments(["--worlds", self.folder])
+        self.assertEqual(list(options.files), list(range(10)))
+        options = parse_arguments(["--worlds", self.folder, "--indices",
+                                   "11,3"])
+        self.assertEqual(list(options.files), [3, 11])
+
+    def test_errors(self):
+        self.assertIn("0 is not 1 or more", self.error_of("--runs", "0"))
+        self.assertIn("is no number above 0", self.error_of("--pace", "0"))
+        self.assertIn("'1,x'", self.error_of("--indices", "1,x"))
+        self.assertIn("has no world 99", self.error_of("--indices", "99"))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 import contextlib
 import io
 import os
+import shutil
 import tempfile
 import unittest
 
@@ -27,7 +28,7 @@ class CompareOptionsTest(unittest.TestCase):
     def test_lists(self):
         options = compare.parse_arguments([
             "--stacks", "vfh_astar,vfh_astar", "--noise", "experiment",
-            "--scenes", "u_shape," + compared_drives.WORLD])
+            "--scenes", "u_shape,u_shape," + compared_drives.WORLD])
         self.assertEqual(options.stacks, ["vfh_astar"])
         self.assertEqual(options.noise, ["experiment"])
         self.assertEqual([s.name for s in options.scenes],
@@ -46,7 +47,13 @@ class CompareOptionsTest(unittest.TestCase):
         self.assertIn("--goal is for a scene of one's own", self.error_of(
             "--scenes", "hairpin", "--goal", "1,1"))
         self.assertIn("0 is not 1 or more", self.error_of("--runs", "0"))
+        self.assertIn("is no number above 0 up to 1",
+                      self.error_of("--pace", "1.5"))
         with tempfile.TemporaryDirectory() as folder:
+            other = os.path.join(folder, "open_field.yaml")
+            shutil.copy(compared_drives.WORLD, other)
+            self.assertIn("are both called open_field", self.error_of(
+                "--scenes", "open_field," + other))
             file = os.path.join(folder, "x.json")
             self.assertIn("x.json", self.error_of("--barn", file))
             with open(file, "w") as stream:

@@ -12,6 +12,7 @@ planner:
   shape: &shape
     front: 0.2   # m
   name: astar
+  label: "7"
 navigator:
   threshold: *threshold
   shape: *shape
@@ -51,6 +52,7 @@ class ConfigTextTest(unittest.TestCase):
                            ("plan.shape.x", "there is no plan,"),
                            ("navigator.speed.x", "no navigator.speed.x"),
                            ("planner.name", "planner.name is 'astar'"),
+                           ("planner.label", "planner.label is '7'"),
                            ("planner.shape", "planner.shape is 'a section'")):
             with self.subTest(name), self.assertRaisesRegex(
                     ConfigError, "c.yaml: .*" + text):

@@ -62,6 +62,8 @@ class TuneTest(unittest.TestCase):
         self.folder = folder.name
         self.addCleanup(setattr, drive_runs, "PROGRAM", drive_runs.PROGRAM)
         drive_runs.PROGRAM = self.write("program", "")
+        self.addCleanup(setattr, drive_runs, "LIBRARIES", drive_runs.LIBRARIES)
+        drive_runs.LIBRARIES = (self.write("library", ""),)
         worlds = os.path.join(self.folder, "worlds")
         os.mkdir(worlds)
         for i in range(6):
@@ -138,6 +140,22 @@ class TuneTest(unittest.TestCase):
         second = self.run_in("store")
         self.assertEqual(second["seed"], 4)
         self.assertNotEqual(first["trials"][1], second["trials"][1])
+
+    def test_another_build_is_another_search(self):
+        self.options.trials = 2
+        self.run_in("store")
+        self.write("library", "other")
+        again = []
+
+        def drive_again(run):
+            again.append(run)
+            return drive(run)
+
+        figures = self.run_in("store", drive_again)
+        # Both trials anew, and base and best where held out.
+        self.assertEqual(len(again), 2 * (
+            2 * len(figures["worlds"]["training"])
+            + 2 * len(figures["worlds"]["held_out"])))
 
     def test_begins_with_the_base_and_finds_better(self):
         figures = self.run_in("store")
