@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "vfh_astar/planning/block_lengths.h"
 #include "vfh_astar/planning/cost_map.h"
@@ -98,7 +99,7 @@ inline void BlockSearch::PushEdge(const Block& from, Block& to,
     if (!AnySet(is_less)) return;
     if (!AnySet(is_less & (news < kLeast))) {
       lengths = Greater(lengths, news);
-      Open(to, LeastEstimate(to, edge, is_less ? news : AllLanes(0)));
+      Open(to, LeastEstimate(to, edge, news, is_less));
       return;
     }
   }
@@ -112,7 +113,8 @@ inline void BlockSearch::PushEdge(const Block& from, Block& to,
 
 inline BlockSearch::Length BlockSearch::LeastEstimate(const Block& block,
                                                       const Edge& edge,
-                                                      Lanes lengths) const {
+                                                      Lanes lengths,
+                                                      Lanes is_wanted) const {
   using Unsigned = std::uint16_t __attribute__((vector_size(16)));
   const int along =
       edge.is_vertical ? goal_.y - edge.first.y : goal_.x - edge.first.x;
@@ -132,7 +134,9 @@ inline BlockSearch::Length BlockSearch::LeastEstimate(const Block& block,
               (Unsigned)Lesser(a, b) *
                   std::uint16_t{kBlockDiagonal - kBlockStraight} -
               static_cast<std::uint16_t>(least));
-  return block.ceiling + least - GreatestLane(lengths - excess);
+  constexpr std::int16_t kNever = std::numeric_limits<std::int16_t>::min();
+  const Lanes gained = is_wanted ? lengths - excess : AllLanes(kNever);
+  return block.ceiling + least - GreatestLane(gained);
 }
 
 inline void BlockSearch::PushCorner(const Block& from, int direction) {

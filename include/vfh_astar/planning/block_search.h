@@ -41,7 +41,9 @@ class BlockSearch {
   /// False when lengths within one block differed by more than its numbers
   /// hold, and a shortest path may have been among what was dropped: the last
   /// search's result is then to be thrown away.
-  bool is_decided() const { return dropped_estimate_ >= goal_length_; }
+  bool is_decided() const {
+    return dropped_estimate_ == kNone || dropped_estimate_ > goal_length_;
+  }
 
  private:
   using Length = std::uint32_t;
@@ -92,8 +94,9 @@ class BlockSearch {
   }
   void DropShort(const Block& block);
   void LowerCeiling(Block& block, int by);
-  Length LeastEstimate(const Block& block, const Edge& edge,
-                       Lanes lengths) const;
+  /// Over the cells whose lanes are set in `is_wanted`, one at least.
+  Length LeastEstimate(const Block& block, const Edge& edge, Lanes lengths,
+                       Lanes is_wanted) const;
   void TracePath(const Cell& start, JumpPointResult& result) const;
 
   std::ptrdiff_t stride_;  ///< blocks in a row, with a border of blocked ones.

@@ -27,8 +27,9 @@ TEST(Lanes, TransposeTurnsRowsIntoColumns) {
 }
 
 TEST(Lanes, DifferenceStopsAtZero) {
-  const Lanes less = LessBy({0, 0, 5, 5, 5, 32767, 32767, 32767},
-                            {0, 32767, 4, 5, 6, 0, 32766, 32767});
+  const Lanes a = {0, 0, 5, 5, 5, 32767, 32767, 32767};
+  const Lanes b = {0, 32767, 4, 5, 6, 0, 32766, 32767};
+  const Lanes less = LessBy(a, b);
   const Lanes expected = {0, 0, 1, 0, 0, 32767, 1, 0};
   for (int i = 0; i < kLanes; ++i) EXPECT_EQ(less[i], expected[i]);
 }

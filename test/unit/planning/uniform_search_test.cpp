@@ -207,6 +207,41 @@ TEST(BlockSearch, SaysWhenItsNumbersDoNotReach) {
   }
 }
 
+TEST(BlockSearch, IsExactUpToTheEndOfItsNumbers) {
+  std::mt19937 random(23);
+  int decided = 0;
+  int undecided = 0;
+  for (int round = 0; round < 1000; ++round) {
+    // Nearly as far apart as a block's numbers allow, and a few ways through
+    // the walls, so that what comes in late is shorter.
+    const int width = 8 + static_cast<int>(random() % 22);
+    const int height = 9 + static_cast<int>(random() % 40);
+    OccupancyGrid map = Comb(width, height);
+    for (int gap = 0; gap < round % 8; ++gap) {
+      map[{static_cast<int>(random() % width),
+           static_cast<int>(random() % height)}] = 0;
+    }
+    BlockSearch search(width, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        search.SetBlocked({x, y}, map[{x, y}] == 100);
+      }
+    }
+    const Cell start{static_cast<int>(random() % width), 0};
+    const Cell goal{static_cast<int>(random() % width), height / 4 * 2};
+    const JumpPointResult result = search.Run(start, goal);
+    if (!search.is_decided()) {
+      ++undecided;
+      continue;
+    }
+    ++decided;
+    ASSERT_NEAR(result.length, Dijkstra(map, start, goal), 1e-3) << round;
+    ExpectValidPath(map, result, start, goal);
+  }
+  EXPECT_GT(decided, 100);
+  EXPECT_GT(undecided, 20);
+}
+
 TEST(UniformSearch, TellsScatteredObstaclesFromWalls) {
   std::mt19937 random(5);
   UniformSearch search(200, 200);
