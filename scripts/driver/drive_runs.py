@@ -17,6 +17,7 @@ PROGRAM = os.path.join(scene.OUTPUT, "devel", "lib", "vfh_astar",
 # the same file when they change.
 LIBRARIES = tuple(os.path.join(scene.OUTPUT, "devel", "lib", name) for name in (
     "libvfh_astar_core.so", "libvfh_astar_simulation.so"))
+_REFUSED = 3  # the program's status for parameters that the stack does not take
 _STORE = os.path.join(scene.OUTPUT, "benchmark")
 
 
@@ -49,7 +50,7 @@ def perform(run):
     done = subprocess.run(run.command(), stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE)
     if done.returncode != 0:
-        error = RefusedDriveError if done.returncode == 1 else DriveError
+        error = RefusedDriveError if done.returncode == _REFUSED else DriveError
         raise error("{}: {}".format(
             " ".join(run.command()),
             done.stderr.decode().strip() or "status {}".format(

@@ -9,6 +9,7 @@
 #include "benchmark/mapping_command.h"
 #include "benchmark/planner_command.h"
 #include "benchmark/simulator_command.h"
+#include "vfh_astar/parameters.h"
 
 namespace {
 
@@ -44,7 +45,8 @@ bool Parse(Command& command, const std::vector<std::string>& arguments,
 }
 
 /// @return the exit status: 0 when there are figures, whatever they are; 1 for
-///   a failure; 2 for unusable arguments.
+///   a failure; 2 for unusable arguments; 3 for parameters of the stack that it
+///   does not take.
 int Run(Command& command, const std::vector<std::string>& arguments) {
   const auto fail = [&command](const std::exception& error, int status) {
     std::cerr << command.name << ": " << error.what() << "\n";
@@ -60,6 +62,8 @@ int Run(Command& command, const std::vector<std::string>& arguments) {
     return fail(error, 2);
   } catch (const vfh_astar::OptionError& error) {
     return fail(error, 2);
+  } catch (const vfh_astar::ParameterError& error) {
+    return fail(error, 3);
   } catch (const std::exception& error) {
     return fail(error, 1);
   }

@@ -217,14 +217,13 @@ void Navigator::Impl::WatchOscillation(double duration) {
     return;
   }
   if (observation_.fault) return;
+  const bool is_on_its_way =
+      IsDriving(machine_.state()) && machine_.state() != State::kRecovering;
   // To dodge what moves is no oscillation.
-  const bool is_moving = IsDriving(machine_.state()) &&
-                         !watch_.avoiding_movers() &&
+  const bool is_moving = is_on_its_way && !watch_.avoiding_movers() &&
                          !IsStanding(observation_.twist, parameters_.goal);
   oscillation_.Move(observation_.pose.position(), is_moving, duration);
-  if (!oscillation_.IsOscillating() || machine_.state() == State::kRecovering) {
-    return;
-  }
+  if (!oscillation_.IsOscillating() || !is_on_its_way) return;
   oscillation_.Reset();
   failure_.Note(Outcome::kOscillation,
                 "the robot moved to and fro without leaving its place");

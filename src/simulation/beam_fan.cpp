@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr int kBlock = kLanes;  ///< beams
+constexpr int kBlock = kFanLanes;  ///< beams
 
 /// The ranges of a block.
 using Block = Eigen::Map<const Eigen::Array<double, kBlock, 1>>;
@@ -158,7 +158,7 @@ void BeamFan::DrawDisc(const Vector2d& center, double radius,
   }
   if (last < whole) return;
   const int beam = whole * kBlock;
-  Lanes rest = {};
+  FanLanes rest = {};
   std::copy(ranges_.begin() + beam, ranges_.end(), rest.begin());
   NoteReach(whole, MeetDisc(center, radius, &x_[beam], &y_[beam], rest.data()));
   std::copy_n(rest.begin(), ranges_.size() - beam, ranges_.begin() + beam);

@@ -58,7 +58,7 @@ ViewLanes ViewBoxes(const FanFrame& frame, const BoxLanes& boxes) {
   const double origin_x = frame.origin.x(), origin_y = frame.origin.y();
   const double axis_x = frame.axis.x(), axis_y = frame.axis.y();
   ViewLanes views;
-  for (int i = 0; i < kLanes; ++i) {
+  for (int i = 0; i < kFanLanes; ++i) {
     const double min_x = boxes.min_x[i] - origin_x;
     const double min_y = boxes.min_y[i] - origin_y;
     const double max_x = boxes.max_x[i] - origin_x;
@@ -100,7 +100,7 @@ ViewLanes ViewDiscs(const FanFrame& frame, const DiscLanes& discs,
   const double axis_x = frame.axis.x(), axis_y = frame.axis.y();
   ViewLanes views;
   DiscLanes in_fan;
-  for (int i = 0; i < kLanes; ++i) {
+  for (int i = 0; i < kFanLanes; ++i) {
     const double offset_x = discs.x[i] - origin_x;
     const double offset_y = discs.y[i] - origin_y;
     const double radius = discs.radius[i];
@@ -127,11 +127,11 @@ ViewLanes ViewDiscs(const FanFrame& frame, const DiscLanes& discs,
 }
 
 VFH_ASTAR_FOR_WIDEST_VECTORS
-std::array<int, kLanes> PlacesFromFar(const Lanes& distances) {
-  std::array<int, kLanes> places;
-  for (int i = 0; i < kLanes; ++i) {
+std::array<int, kFanLanes> PlacesFromFar(const FanLanes& distances) {
+  std::array<int, kFanLanes> places;
+  for (int i = 0; i < kFanLanes; ++i) {
     int place = 0;
-    for (int j = 0; j < kLanes; ++j) {
+    for (int j = 0; j < kFanLanes; ++j) {
       place +=
           j < i ? distances[j] >= distances[i] : distances[j] > distances[i];
     }
@@ -145,8 +145,8 @@ double MeetDisc(const Eigen::Vector2d& center, double radius, const double* x,
                 const double* y, double* ranges) {
   const double center_x = center.x(), center_y = center.y();
   const double radius_squared = radius * radius;
-  Lanes met;
-  for (int i = 0; i < kLanes; ++i) {
+  FanLanes met;
+  for (int i = 0; i < kFanLanes; ++i) {
     const double aside = center_x * y[i] - center_y * x[i];
     const double along = center_x * x[i] + center_y * y[i];
     const double half_chord_squared = radius_squared - aside * aside;
@@ -159,7 +159,7 @@ double MeetDisc(const Eigen::Vector2d& center, double radius, const double* x,
     met[i] = Min(ranges[i], range);
   }
   double farthest = met[0];
-  for (int i = 0; i < kLanes; ++i) {
+  for (int i = 0; i < kFanLanes; ++i) {
     ranges[i] = met[i];
     farthest = Max(farthest, met[i]);
   }

@@ -9,12 +9,12 @@ namespace {
 
 /// Waiting at once: parts are divided into halves of about the same number of
 /// shapes, so that no world that fits into memory is deeper than 12 nodes.
-constexpr std::size_t kMostWaiting = 12 * kLanes;
+constexpr std::size_t kMostWaiting = 12 * kFanLanes;
 
 /// Where to divide a part: in the middle, but so that leaves are full.
 std::size_t MiddleOf(std::size_t first, std::size_t last) {
-  const std::size_t leaves = (last - first + kLanes - 1) / kLanes;
-  return first + leaves / 2 * kLanes;
+  const std::size_t leaves = (last - first + kFanLanes - 1) / kFanLanes;
+  return first + leaves / 2 * kFanLanes;
 }
 
 }  // namespace
@@ -73,10 +73,10 @@ void ShapeIndex::Halve(std::size_t first, std::size_t middle,
 }
 
 std::int32_t ShapeIndex::Divide(std::size_t first, std::size_t last) {
-  if (last - first <= kLanes) return AddLeaf(first, last);
+  if (last - first <= kFanLanes) return AddLeaf(first, last);
   // The largest part is halved until there are enough.
   std::vector<std::size_t> ends = {first, last};
-  while (ends.size() <= kLanes) {
+  while (ends.size() <= kFanLanes) {
     std::size_t largest = 1;
     for (std::size_t i = 1; i < ends.size(); ++i) {
       if (ends[i] - ends[i - 1] > ends[largest] - ends[largest - 1]) {
@@ -84,7 +84,7 @@ std::int32_t ShapeIndex::Divide(std::size_t first, std::size_t last) {
       }
     }
     const std::size_t begin = ends[largest - 1], end = ends[largest];
-    if (end - begin <= kLanes) break;
+    if (end - begin <= kFanLanes) break;
     const std::size_t middle = MiddleOf(begin, end);
     Halve(begin, middle, end);
     ends.insert(ends.begin() + largest, middle);
@@ -92,7 +92,7 @@ std::int32_t ShapeIndex::Divide(std::size_t first, std::size_t last) {
   const std::size_t node = nodes_.size();
   nodes_.emplace_back();
   nodes_[node].count = static_cast<std::int32_t>(ends.size()) - 1;
-  for (int i = 0; i < kLanes; ++i) {
+  for (int i = 0; i < kFanLanes; ++i) {
     // What fills lanes is of no account; that of a part is as good as any.
     const std::size_t part = std::min<std::size_t>(i, ends.size() - 2);
     const Box box = BoxAround(ends[part], ends[part + 1]);
@@ -152,7 +152,7 @@ void ShapeIndex::CastRays(BeamFan* fan) const {
   std::size_t count = 0;
   waiting[count++] = {root_, {0.0, 2.0 * kPi, 0.0, 0.0}};
   while (count > 0) {
-    const Part& part = waiting[--count];
+    const Part part = waiting[--count];
     if (!fan->MaySee(part.view)) continue;
     if (part.index < 0) {
       LookAtLeaf(leaves_[-1 - part.index], fan);
@@ -160,10 +160,10 @@ void ShapeIndex::CastRays(BeamFan* fan) const {
     }
     const Node& node = nodes_[part.index];
     const ViewLanes views = fan->ViewOf(node.boxes);
-    const std::array<int, kLanes> places =
+    const std::array<int, kFanLanes> places =
         PlacesFromFar(views.distance_squared);
-    std::array<int, kLanes> from_far;
-    for (int i = 0; i < kLanes; ++i) from_far[places[i]] = i;
+    std::array<int, kFanLanes> from_far;
+    for (int i = 0; i < kFanLanes; ++i) from_far[places[i]] = i;
     for (const int i : from_far) {
       if (i >= node.count) continue;
       const View view = views.At(i, 0.0);

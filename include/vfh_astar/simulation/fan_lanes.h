@@ -9,17 +9,17 @@ namespace vfh_astar {
 /// What a BeamFan asks about several boxes, discs or beams at once: the same
 /// arithmetic for each without a branch, so that the compiler makes vectors of
 /// it, as wide as the processor has them.
-constexpr int kLanes = 8;
-using Lanes = std::array<double, kLanes>;
+constexpr int kFanLanes = 8;
+using FanLanes = std::array<double, kFanLanes>;
 
 /// m, boxes along the axes beside each other.
 struct BoxLanes {
-  Lanes min_x, min_y, max_x, max_y;
+  FanLanes min_x, min_y, max_x, max_y;
 };
 
 /// m, discs beside each other.
 struct DiscLanes {
-  Lanes x, y, radius;
+  FanLanes x, y, radius;
 };
 
 /// Where a fan looks from, and along what its first beam points.
@@ -44,7 +44,7 @@ constexpr double kBearingError = 2e-5;
 
 /// The views of things beside each other.
 struct ViewLanes {
-  Lanes low, high, distance_squared;
+  FanLanes low, high, distance_squared;
 
   View At(int lane, double radius) const {
     return {low[lane], high[lane], distance_squared[lane], radius};
@@ -69,9 +69,9 @@ ViewLanes ViewDiscs(const FanFrame& frame, const DiscLanes& discs,
 
 /// For each lane, in how many the distance is greater, or the same in a lane
 /// before it: the lanes' places in an order from far to near.
-std::array<int, kLanes> PlacesFromFar(const Lanes& distances);
+std::array<int, kFanLanes> PlacesFromFar(const FanLanes& distances);
 
-/// Ends kLanes beams at a disc where they meet it before their ranges.
+/// Ends kFanLanes beams at a disc where they meet it before their ranges.
 /// @param[in] center, radius m, in the frame that the beams are given in.
 /// @param[in] x, y of the beams' unit vectors.
 /// @param[in,out] ranges m

@@ -38,14 +38,14 @@ class ShapeIndex {
     void Include(const Box& other);
     double DistanceSquared(const Eigen::Vector2d& point) const;
   };
-  /// Up to kLanes parts beside each other, and a box around each.
+  /// Up to kFanLanes parts beside each other, and a box around each.
   struct Node {
     BoxLanes boxes;
     /// The index of a node, or -1 less that of a leaf.
-    std::array<std::int32_t, kLanes> children;
+    std::array<std::int32_t, kFanLanes> children;
     std::int32_t count;
   };
-  /// Up to kLanes shapes that lie near to each other.
+  /// Up to kFanLanes shapes that lie near to each other.
   struct Leaf {
     DiscLanes discs;
     std::int32_t disc_count = 0;
@@ -70,7 +70,7 @@ class ShapeIndex {
   Box BoxAround(std::size_t first, std::size_t last) const;
   /// Sorts these targets so that those from the middle on lie beyond the rest.
   void Halve(std::size_t first, std::size_t middle, std::size_t last);
-  /// Sorts targets_[first] to targets_[last - 1], which are kLanes or fewer,
+  /// Sorts targets_[first] to targets_[last - 1], which are kFanLanes or fewer,
   /// or more, into a leaf or a node with all below it.
   /// @return the index as Node has it.
   std::int32_t Divide(std::size_t first, std::size_t last);

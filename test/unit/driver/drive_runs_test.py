@@ -183,10 +183,10 @@ class DriveRunsTest(unittest.TestCase):
                 drive_runs.perform(self.runs[0])
             return caught.exception
 
-        refusal = error_of("echo no such speed >&2; exit 1\n")
+        refusal = error_of("echo no such speed >&2; exit 3\n")
         self.assertIsInstance(refusal, drive_runs.RefusedDriveError)
         self.assertIn("no such speed", str(refusal))
-        for script in ("exit 2\n", "kill -9 $$\n"):
+        for script in ("exit 1\n", "exit 2\n", "kill -9 $$\n"):
             self.assertNotIsInstance(error_of(script),
                                      drive_runs.RefusedDriveError)
 

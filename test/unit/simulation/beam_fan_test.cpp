@@ -34,7 +34,7 @@ bool MaySee(const BeamFan& fan, const Eigen::Vector2d& min,
   boxes.min_y.fill(min.y());
   boxes.max_x.fill(max.x());
   boxes.max_y.fill(max.y());
-  return fan.MaySee(fan.ViewOf(boxes).At(kLanes - 1, 0.0));
+  return fan.MaySee(fan.ViewOf(boxes).At(kFanLanes - 1, 0.0));
 }
 
 /// Distances of the beams, where it counts whether they are within the range.
@@ -174,7 +174,7 @@ TEST(BeamFanTest, DiscsBesideEachOtherAreAsOneAfterTheOther) {
     BeamFan in_turn(beams, 0.3, increment);
     at_once.Aim(pose, 30.0);
     in_turn.Aim(pose, 30.0);
-    const int count = 1 + scene % kLanes;
+    const int count = 1 + scene % kFanLanes;
     DiscLanes discs = {};
     for (int i = 0; i < count; ++i) {
       discs.x[i] = place(random);

@@ -53,14 +53,14 @@ TEST(FanLanesTest, ViewsHoldAllOfABox) {
   for (int scene = 0; scene < 2000; ++scene) {
     const FanFrame frame = RandomFrame(&random);
     BoxLanes boxes;
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kFanLanes; ++i) {
       boxes.min_x[i] = place(random);
       boxes.min_y[i] = place(random);
       boxes.max_x[i] = boxes.min_x[i] + size(random);
       boxes.max_y[i] = boxes.min_y[i] + size(random);
     }
     const ViewLanes views = ViewBoxes(frame, boxes);
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kFanLanes; ++i) {
       const double x =
           std::clamp(frame.origin.x(), boxes.min_x[i], boxes.max_x[i]);
       const double y =
@@ -93,14 +93,14 @@ TEST(FanLanesTest, ViewsHoldAllOfADisc) {
   for (int scene = 0; scene < 2000; ++scene) {
     const FanFrame frame = RandomFrame(&random);
     DiscLanes discs;
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kFanLanes; ++i) {
       discs.x[i] = place(random);
       discs.y[i] = place(random);
       discs.radius[i] = size(random);
     }
     DiscLanes in_fan;
     const ViewLanes views = ViewDiscs(frame, discs, &in_fan);
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kFanLanes; ++i) {
       const Eigen::Vector2d at = InFrame(frame, discs.x[i], discs.y[i]);
       EXPECT_NEAR(in_fan.x[i], at.x(), 1e-12);
       EXPECT_NEAR(in_fan.y[i], at.y(), 1e-12);
@@ -121,7 +121,7 @@ TEST(FanLanesTest, ViewsHoldAllOfADisc) {
 }
 
 TEST(FanLanesTest, PlacesByHand) {
-  const std::array<int, kLanes> expected = {7, 0, 3, 4, 6, 1, 5, 2};
+  const std::array<int, kFanLanes> expected = {7, 0, 3, 4, 6, 1, 5, 2};
   EXPECT_EQ(PlacesFromFar({0.0, 9.0, 4.0, 4.0, 1.0, 8.0, 2.0, 5.0}), expected);
 }
 
