@@ -18,7 +18,7 @@ struct GoalParameters {
   double tolerance = 0.5;          ///< m by which a blocked goal may be moved;
                                    ///< 0 is strict.
   double xy_goal_tolerance = 0.1;  ///< m
-  double yaw_goal_tolerance = 0.05;  ///< rad
+  double yaw_goal_tolerance = 0.03;  ///< rad
   double stopped_v = 0.02;           ///< m/s below which the robot stands,
   double stopped_w = 0.05;           ///< rad/s likewise.
   double settle_time = 1.5;  ///< s after the trajectory's end until a new one
