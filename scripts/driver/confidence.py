@@ -3,6 +3,11 @@
 import math
 
 _Z = 1.96
+# Student's t that 97.5 % lie below, for 1, 2, ... degrees of freedom; the normal
+# distribution's is near enough for more.
+_T = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
+      2.201, 2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
+      2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042)
 
 
 def rate_interval(hits, count):
@@ -24,4 +29,5 @@ def mean_deviation(values):
         return 0.0
     mean = sum(values) / count
     variance = sum((v - mean) ** 2 for v in values) / (count - 1)
-    return _Z * math.sqrt(variance / count)
+    t = _T[count - 2] if count - 2 < len(_T) else _Z
+    return t * math.sqrt(variance / count)

@@ -37,8 +37,8 @@ class BenchmarkTablesTest(unittest.TestCase):
         self.assertEqual(rows[0][:5], ["ours", "2", "4", "75.0% (30% to 95%)",
                                        "25.0% (5% to 70%)"])
         # Mean 0.1875; deviation 0.125, of which 1.96 / sqrt(4) is 0.1225.
-        self.assertEqual(rows[0][6:], ["10.0 ± 0.0", "0.188 ± 0.122",
-                                       "0.375 ± 0.245"])
+        self.assertEqual(rows[0][6:], ["10.0 ± 0.0", "0.188 ± 0.199",
+                                       "0.375 ± 0.398"])
         published = {row[0]: row for row in rows[1:]}
         self.assertEqual(len(published), 3)
         self.assertIn("0.4975", rows[3])

@@ -21,7 +21,7 @@ class ComparisonTablesTest(unittest.TestCase):
         # 3 and 5 s: deviation sqrt(2), by sqrt(2), 1.96 times.
         self.assertEqual(rows, [
             ["simulation without noise", "not driven",
-             "4.0 ± 2.0 s (2 of 3)", "none of 1"],
+             "4.0 ± 12.7 s (2 of 3)", "none of 1"],
             ["experiment: odometry and laser with noise", "not driven",
              "4.0 s (1 of 1)", "not driven"]])
 

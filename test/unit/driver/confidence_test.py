@@ -21,9 +21,13 @@ class RateIntervalTest(unittest.TestCase):
 class MeanDeviationTest(unittest.TestCase):
 
     def test_by_hand(self):
-        # Variance 2.5 of five values.
+        # Variance 2.5 of five values, so four degrees of freedom.
         self.assertAlmostEqual(confidence.mean_deviation([1, 2, 3, 4, 5]),
-                               1.96 * (2.5 / 5) ** 0.5)
+                               2.776 * (2.5 / 5) ** 0.5)
+        # Variance 2 of two values.
+        self.assertAlmostEqual(confidence.mean_deviation([1, 3]), 12.706)
+        self.assertAlmostEqual(confidence.mean_deviation([1, -1] * 50),
+                               1.96 / 99 ** 0.5)
         self.assertEqual(confidence.mean_deviation([4.0]), 0.0)
 
 
