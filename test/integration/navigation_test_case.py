@@ -54,6 +54,15 @@ class NavigationTestCase(unittest.TestCase):
         return goal_drive.drive(self.stack, self.observer, (0.0, 0.0, 0.0),
                                 goal, time_limit, lambda elapsed: None)
 
+    def drive_scene(self, name):
+        """The record of a drive to the goal that worlds/<name>.yaml suggests;
+        fails unless it is reached without contact."""
+        record = self.drive(self.goal_of_world(name), time_limit=120.0)
+        self.assertTrue(record.succeeded, record.message)
+        self.assertEqual(record.contacts, [])
+        self.assertLess(record.distance_left(), 0.2)
+        return record
+
     def ready_client(self):
         client = goal_drive.GoalClient(self.stack, self.observer)
         client.wait_until_ready()
