@@ -51,8 +51,21 @@ class NavigationTestCase(unittest.TestCase):
 
     def drive(self, goal, time_limit):
         """Drives from where the robot is; see goal_drive.drive."""
+        self.wait_for_navigator()
         return goal_drive.drive(self.stack, self.observer, (0.0, 0.0, 0.0),
                                 goal, time_limit, lambda elapsed: None)
+
+    def wait_for_navigator(self):
+        """Waits until it has answered a scan. A clock that is not held before
+        then can run through its patience with what has not come yet."""
+        self.ready_client()
+        began = rospy.get_time()
+        end = time.monotonic() + 60.0
+        while (self.observer.last_state is None
+               or self.observer.last_state.time <= began):
+            self.assertLess(time.monotonic(), end,
+                            "the navigator answers no scan")
+            time.sleep(0.01)
 
     def drive_scene(self, name):
         """The record of a drive to the goal that worlds/<name>.yaml suggests;
