@@ -89,6 +89,25 @@ class Looks {
   Eigen::AlignedBox2d everything_;  ///< empty without looks.
 };
 
+/// The first time (s) at which something that moves is nearer to the footprint
+/// than margin and growth allow.
+/// @param[in] robot_from_movers the transform at a time, from the frame that
+///   they are given in.
+template <typename Function>
+double TimeToContact(const std::vector<MovingObstacle>& movers, double horizon,
+                     const Footprint& footprint, double margin, double growth,
+                     const Function& robot_from_movers) {
+  for (double time = 0.0; time <= horizon; time += kMoverStep) {
+    const PointTransform transform = robot_from_movers(time);
+    for (const MovingObstacle& mover : movers) {
+      const double distance =
+          footprint.SignedDistance(transform * mover.At(time));
+      if (distance < mover.radius + margin + growth * time) return time;
+    }
+  }
+  return kNever;
+}
+
 }  // namespace
 
 double TimeToScanCollision(const Trajectory& trajectory, double from,
@@ -125,28 +144,18 @@ double TimeToMoverCollision(const Trajectory& trajectory, double from,
   for (const MovingObstacle& mover : observation.movers) {
     movers.push_back(Transform(observation.pose, mover));
   }
-  for (double time = 0.0; time <= horizon; time += kMoverStep) {
-    const PointTransform robot_from_map =
-        PointTransform::Into(trajectory.Sample(from + rate * time).pose);
-    for (const MovingObstacle& mover : movers) {
-      const double distance =
-          footprint.SignedDistance(robot_from_map * mover.At(time));
-      if (distance < mover.radius + margin + growth * time) return time;
-    }
-  }
-  return kNever;
+  return TimeToContact(
+      movers, horizon, footprint, margin, growth, [&](double time) {
+        return PointTransform::Into(trajectory.Sample(from + rate * time).pose);
+      });
 }
 
 double TimeToMoverContact(double horizon, const Footprint& footprint,
                           double margin, double growth,
                           const Observation& observation) {
-  for (double time = 0.0; time <= horizon; time += kMoverStep) {
-    for (const MovingObstacle& mover : observation.movers) {
-      const double distance = footprint.SignedDistance(mover.At(time));
-      if (distance < mover.radius + margin + growth * time) return time;
-    }
-  }
-  return kNever;
+  const PointTransform here{Pose2D()};
+  return TimeToContact(observation.movers, horizon, footprint, margin, growth,
+                       [&](double) { return here; });
 }
 
 }  // namespace vfh_astar

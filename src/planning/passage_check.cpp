@@ -12,7 +12,7 @@ PassageCheck::PassageCheck(const Footprint& footprint, const Pose2D& start,
     : footprint_(footprint),
       circumscribed_radius_(
           static_cast<float>(footprint.CircumscribedRadius())),
-      to_robot_(start.Inverse()),
+      to_robot_(PointTransform::Into(start)),
       clearance_(clearance) {
   const double resolution = clearance.geometry().resolution;
   for (int heading = 0; heading < kHeadings; ++heading) {

@@ -115,17 +115,11 @@ void BeamFan::LookAt(const Shape& shape) {
 }
 
 void BeamFan::LookAtDisc(const Vector2d& center, double radius) {
-  const Vector2d at = ToFan(center);
-  const double distance = at.norm();
-  if (distance <= radius) return CoverAll();
-  // Not less than the arc sine, and equal to it where it is a right angle.
-  const double sine = radius / distance;
-  const double half = sine * (1.0 + (0.5 * kPi - 1.0) * sine * sine);
-  const double bearing = Bearing(at);
-  ForEachTurn(bearing - half, bearing + half, [&](const Span& span) {
-    if (IsHidden(span, distance * distance, radius)) return;
-    DrawDisc(at, radius, span);
-  });
+  DiscLanes discs;
+  discs.x.fill(center.x());
+  discs.y.fill(center.y());
+  discs.radius.fill(radius);
+  LookAtDiscs(discs, 1);
 }
 
 void BeamFan::LookAtDiscs(const DiscLanes& discs, int count) {

@@ -1,7 +1,6 @@
 #ifndef VFH_ASTAR_PLANNING_BLOCK_LENGTHS_H_
 #define VFH_ASTAR_PLANNING_BLOCK_LENGTHS_H_
 
-#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -9,9 +8,9 @@
 
 namespace vfh_astar {
 
-/// Lengths of ways to the cells of a square block, as what they fall short of a
-/// ceiling: the greater, the shorter; 0 where no way leads. Blocked cells have
-/// 0. What is longer than the ceiling is dropped.
+// Lengths of ways to the cells of a square block are kept as what they fall
+// short of a ceiling: the greater, the shorter; 0 where no way leads. Blocked
+// cells have 0. What is longer than the ceiling is dropped.
 
 inline constexpr int kBlockSide = kLanes;  ///< cells.
 

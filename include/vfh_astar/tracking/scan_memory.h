@@ -14,7 +14,9 @@ class PlacedScan {
  public:
   PlacedScan() = default;
   PlacedScan(const LaserScan& scan, const Pose2D& laser_pose)
-      : scan_(scan), pose_(laser_pose), laser_from_frame_(pose_.Inverse()) {}
+      : scan_(scan),
+        pose_(laser_pose),
+        laser_from_frame_(PointTransform::Into(pose_)) {}
 
   const LaserScan& scan() const { return scan_; }
   const Pose2D& pose() const { return pose_; }  ///< of the laser.
