@@ -54,14 +54,11 @@ def parse_arguments(arguments):
 
 def drive_in_process(index, file, number, options):
     """Raises drive_runs.DriveError."""
-    def text(pose):
-        return ",".join(map(repr, pose))
-
     figures = drive_runs.perform(drive_runs.DriveRun(
         (), file, _CONFIG, (
             "--seed", str(number + 1), "--time-limit", repr(_TIME_LIMIT),
-            "--start=" + text(options.start),
-            "--goal=" + text(barn.goal_of(options.start)))))
+            "--start=" + barn.pose_text(options.start),
+            "--goal=" + barn.pose_text(barn.goal_of(options.start)))))
     return Outcome(index, number, figures["outcome"] == "success",
                    figures["time_s"])
 

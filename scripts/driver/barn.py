@@ -51,7 +51,8 @@ def goal_of(start):
     return (start[0], start[1] + _GOAL_DISTANCE, start[2])
 
 
-def _pose_text(pose):
+def pose_text(pose):
+    """X,Y,YAW as the program reads it."""
     return ",".join(map(repr, pose))
 
 
@@ -66,8 +67,8 @@ def _run(index, number, world, config, options):
 def static_runs(folder, config, indices, count, start):
     """`count` drives through each BARN world, each with a seed of its own."""
     files = world_files(folder, r"world_(\d+)\.world", indices)
-    options = ("--start=" + _pose_text(start),
-               "--goal=" + _pose_text(goal_of(start)))
+    options = ("--start=" + pose_text(start),
+               "--goal=" + pose_text(goal_of(start)))
     return [_run(index, number, file, config, options)
             for index, file in files.items() for number in range(count)]
 

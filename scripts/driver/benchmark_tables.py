@@ -54,10 +54,7 @@ def _rate(figures, name):
 
 
 def _mean(values, form):
-    if not values:
-        return ""
-    return "{} ± {}".format(form.format(sum(values) / len(values)),
-                            form.format(confidence.mean_deviation(values)))
+    return confidence.mean_text(values, form) if values else ""
 
 
 def _row(benchmark, scores):

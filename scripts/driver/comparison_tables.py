@@ -11,16 +11,8 @@ NOISES = {"clean": "simulation without noise",
           "experiment": "experiment: odometry and laser with noise"}
 
 
-def _mean(values, form):
-    """With its 95 % interval where there are several."""
-    text = form.format(sum(values) / len(values))
-    if len(values) > 1:
-        text += " ± " + form.format(confidence.mean_deviation(values))
-    return text
-
-
 def _mean_of(form):
-    return lambda values: _mean(values, form)
+    return lambda values: confidence.mean_text(values, form)
 
 
 def _extreme(choose, form):
@@ -81,7 +73,7 @@ def stacks(drives):
 def completion_times(drives):
     """The paper's Table I for one scene: a row for each noise, a column for each
     stack; seconds until the goal was reached without contact."""
-    stacks = names(d.task.stack for d in drives)
+    columns = names(d.task.stack for d in drives)
 
     def cell(stack, noise):
         own = _of(drives, stack, noise)
@@ -92,11 +84,12 @@ def completion_times(drives):
         if not reached:
             return "none of {}".format(len(driven))
         return "{} s ({} of {})".format(
-            _mean([d.record.duration() for d in reached], "{:.1f}"),
+            confidence.mean_text([d.record.duration() for d in reached],
+                                 "{:.1f}"),
             len(reached), len(driven))
 
-    return (["completion time"] + [stack_title(name) for name in stacks],
-            [[NOISES[noise]] + [cell(stack, noise) for stack in stacks]
+    return (["completion time"] + [stack_title(name) for name in columns],
+            [[NOISES[noise]] + [cell(stack, noise) for stack in columns]
              for noise in names(d.task.noise for d in drives)])
 
 

@@ -31,3 +31,12 @@ def mean_deviation(values):
     variance = sum((v - mean) ** 2 for v in values) / (count - 1)
     t = _T[count - 2] if count - 2 < len(_T) else _Z
     return t * math.sqrt(variance / count)
+
+
+def mean_text(values, form):
+    """Their mean, with how far it may be off where there are several; form: such
+    as "{:.1f}"."""
+    text = form.format(sum(values) / len(values))
+    if len(values) > 1:
+        text += " ± " + form.format(mean_deviation(values))
+    return text

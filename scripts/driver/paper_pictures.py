@@ -6,7 +6,7 @@ import dataclasses
 import os
 import tempfile
 
-from driver import drive_runs, paper_scenes, world_file
+from driver import drive_runs, paper_scenes, world_shapes
 from driver.picture import np, plt
 
 _TITLES = {"paper": "one quintic (config/paper.yaml)",
@@ -96,11 +96,11 @@ def _draw_course(axes, drive):
 
 def _draw_hairpin(drives, file):
     world = paper_scenes.first_run("hairpin", "jackal").world
-    walls = world_file.read_walls(world)
+    walls = world_shapes.read(world).standing
     figure, both = plt.subplots(2, 1, figsize=(7, 8.2))
     for axes, (configuration, drive) in zip(both, drives.items()):
         for wall in walls:
-            axes.plot(*np.array(wall).T, color="black", linewidth=3)
+            axes.fill(*wall.T, color="black")
         limits = axes.get_xlim(), axes.get_ylim()
         _draw_motions(axes, drive)
         _draw_course(axes, drive)

@@ -63,24 +63,9 @@ def read_start_and_goal(file):
     Raises WorldFileError for a YAML file that cannot be parsed and for a start
     or goal that is not a pose.
     """
-    if not file.endswith((".yaml", ".yml")):
-        return None, None  # other formats have neither
-    document = _parse(file)
+    document = read_document(file)
     return (_pose(document, "robots.0.start", file, (3,)),
             _pose(document, "goal", file, (2, 3)))
-
-
-def read_walls(file):
-    """The middle lines of a YAML world's walls, lists of (x, y) in m; a closed
-    one ends where it begins.
-
-    Raises WorldFileError for a file that cannot be parsed.
-    """
-    lines = []
-    for wall in (_parse(file) or {}).get("walls", ()):
-        points = [tuple(point) for point in wall["points"]]
-        lines.append(points + points[:1] if wall.get("closed") else points)
-    return lines
 
 
 def read_robots(file):
@@ -90,10 +75,8 @@ def read_robots(file):
     Raises WorldFileError as read_start_and_goal does, and for a robot without a
     start.
     """
-    if not file.endswith((".yaml", ".yml")):
-        return []
-    document = _parse(file)
-    entries = document.get("robots") if isinstance(document, dict) else None
+    document = read_document(file)
+    entries = document.get("robots")
     robots = []
     for i, entry in enumerate(entries if isinstance(entries, list) else []):
         field = "robots.{}".format(i)

@@ -30,6 +30,10 @@ class MeanDeviationTest(unittest.TestCase):
                                1.96 / 99 ** 0.5)
         self.assertEqual(confidence.mean_deviation([4.0]), 0.0)
 
+    def test_a_single_value_has_no_interval(self):
+        self.assertEqual(confidence.mean_text([4.0], "{:.1f}"), "4.0")
+        self.assertEqual(confidence.mean_text([1, 3], "{:.1f}"), "2.0 ± 12.7")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -41,13 +41,6 @@ class WorldFileTest(unittest.TestCase):
         with self.assertRaisesRegex(world_file.WorldFileError, "line 2"):
             self.read("a: 1\nb: ]\n")
 
-    def test_walls(self):
-        text = ("walls: [{points: [[0, 0], [1, 0], [1, 2]], closed: true}, "
-                "{points: [[3, 3], [4, 3]]}]")
-        self.assertEqual(self.read(text, read=world_file.read_walls),
-                         [[(0, 0), (1, 0), (1, 2), (0, 0)], [(3, 3), (4, 3)]])
-        self.assertEqual(self.read("", read=world_file.read_walls), [])
-
     def test_robots(self):
         self.assertEqual(
             self.robots("robots: [{name: anna, start: [1, 2, 3], goal: [4, 5]},"
