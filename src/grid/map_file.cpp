@@ -46,6 +46,9 @@ MapDescription ReadDescription(const std::string& yaml_file) {
   description.image =
       (std::filesystem::path(yaml_file).parent_path() / root["image"].Text())
           .string();
+  if (!std::filesystem::is_regular_file(description.image)) {
+    root["image"].Fail("an image (PGM, PNG), from the folder of this file on");
+  }
   description.resolution = root["resolution"].Number(1e-4, 1e3);
   const std::vector<double> origin =
       root["origin"].Numbers(3, kFarthestOrigin, "[x, y, yaw] in m and rad");
@@ -65,9 +68,6 @@ MapDescription ReadDescription(const std::string& yaml_file) {
 
 cv::Mat ReadImage(const std::string& file) {
   const std::string expected = "; expected an image (PGM, PNG) of 8 or 16 bit";
-  if (!std::filesystem::is_regular_file(file)) {
-    throw MapFileError(file + ": no such file" + expected);
-  }
   cv::Mat image;
   try {
     image = cv::imread(file, cv::IMREAD_UNCHANGED);

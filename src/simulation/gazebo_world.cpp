@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "vfh_astar/simulation/sdf_element.h"
 
@@ -137,12 +138,17 @@ World LoadGazeboWorld(const std::string& file) {
   const std::map<std::string, UprightPose> saved =
       ReadSavedPoses(world_element);
   World world;
+  std::set<std::string> names = {kOnlyRobot};
   for (const SdfElement& model : world_element.Children("model")) {
     const std::string name = model.name();
     const auto found = saved.find(name);
     std::vector<Shape> shapes = ReadModel(
         model, found == saved.end() ? model.Pose() : found->second, false);
-    if (!shapes.empty()) world.obstacles.push_back({name, std::move(shapes)});
+    if (shapes.empty()) continue;
+    if (!names.insert(name).second) {
+      model.Fail("'" + name + "'", "a name that nothing else has");
+    }
+    world.obstacles.push_back({name, std::move(shapes)});
   }
   return world;
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 #include "vfh_astar/simulation/bitmap_world.h"
 #include "vfh_astar/simulation/dynabarn_world.h"
@@ -39,26 +38,6 @@ World LoadByContent(const std::string& file, const WorldLoadOptions& options) {
       "(with `image`)");
 }
 
-void CheckName(const std::string& file, const std::string& name,
-               std::set<std::string>& taken) {
-  if (!taken.insert(name).second) {
-    throw WorldFileError(file + ": name: '" + name +
-                         "' stands twice; expected a name of its own for each");
-  }
-}
-
-/// What a robot touches is told by name, so robots count too.
-void CheckNames(const std::string& file, const World& world) {
-  std::set<std::string> taken;
-  for (const auto& obstacle : world.obstacles) {
-    CheckName(file, obstacle.name, taken);
-  }
-  for (const auto& mover : world.movers) CheckName(file, mover.name, taken);
-  for (const auto& pop_up : world.pop_ups) CheckName(file, pop_up.name, taken);
-  for (const auto& walker : world.walkers) CheckName(file, walker.name, taken);
-  for (const auto& robot : world.robots) CheckName(file, robot.name, taken);
-}
-
 }  // namespace
 
 Eigen::Vector2d Mover::PositionAt(double time) const {
@@ -84,8 +63,7 @@ World LoadWorld(const std::string& file, const WorldLoadOptions& options) {
   if (world.name.empty()) {
     world.name = std::filesystem::path(file).stem().string();
   }
-  if (world.robots.empty()) world.robots.push_back({"robot_1", Pose2D()});
-  CheckNames(file, world);
+  if (world.robots.empty()) world.robots.push_back({kOnlyRobot, Pose2D()});
   return world;
 }
 

@@ -12,10 +12,11 @@
 namespace vfh_astar {
 namespace {
 
-/// The names of a world. What a robot touches is told by name, so robots count
-/// too.
+/// The names of a world, robots' among them.
 class Names {
  public:
+  void Reserve(const std::string& name) { taken_.insert(name); }
+
   /// The entry's name, else its kind and its place in the list, from 1.
   std::string Read(const YamlField& field, const std::string& kind,
                    std::size_t place) {
@@ -195,6 +196,7 @@ World ReadYamlWorld(const YamlField& root, const WorldLoadOptions& options) {
 
   World world;
   Names names;
+  if (root["robots"].Items().empty()) names.Reserve(kOnlyRobot);
   if (root["name"].Exists()) world.name = root["name"].Text();
   world.obstacles = ReadObstacles(root, options, &names);
   world.movers = ReadMovers(root["movers"], &names);

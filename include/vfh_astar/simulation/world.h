@@ -71,6 +71,10 @@ struct GroundPatch {
   double tyre_slip_stiffness = 0.0;
 };
 
+/// The name of a robot where the file does not name one. What a robot touches
+/// is told by name, so nothing else may have it then.
+inline constexpr char kOnlyRobot[] = "robot_1";
+
 struct RobotStart {
   std::string name;
   Pose2D pose;

@@ -187,8 +187,8 @@ TEST(LoadMap, RefusesFilesThatAreMissingTruncatedOrMalformed) {
   EXPECT_THROW(LoadMap(folder.Path("nothing.yaml")), MapFileError);
   EXPECT_THROW(LoadMap(folder.Path("")), MapFileError);
   EXPECT_EQ(ErrorOf(folder, kYaml),
-            "map.pgm: no such file; expected an image (PGM, PNG) of 8 or 16 "
-            "bit");
+            "map.yaml:1: image: 'map.pgm'; expected an image (PGM, PNG), from "
+            "the folder of this file on");
   const std::string whole = Pgm(20, 20, std::vector<int>(400, 7));
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{2}, std::size_t{9}, whole.size() - 1}) {

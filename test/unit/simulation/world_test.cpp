@@ -86,10 +86,19 @@ TEST(LoadWorld, NamesAreUnique) {
   const std::string file =
       folder.Write("twice.json",
                    "{\"start\": [0, 0, 0], \"goal\": [1, 1], \"obstacles\": [" +
-                       cylinder + ", " + cylinder + "]}");
+                       cylinder + ",\n" + cylinder + "]}");
   EXPECT_EQ(ErrorOf(file), file +
-                               ": name: 'a' stands twice; expected a name "
-                               "of its own for each");
+                               ":2: obstacles[1].name: 'a'; expected a name "
+                               "that nothing else has");
+  // A world without robots gets one.
+  const std::string robot = folder.Write(
+      "robot.yaml",
+      "version: 1\n"
+      "cylinders: [{name: robot_1, position: [3, 0], radius: 1}]\n");
+  EXPECT_EQ(ErrorOf(robot),
+            robot +
+                ":2: cylinders[0].name: 'robot_1'; expected a name that "
+                "nothing else has; there is a 'robot_1' already");
 }
 
 TEST(LoadWorld, ReadsTheWorldsOfThisPackage) {
