@@ -170,7 +170,8 @@ TEST(GazeboWorld, RefusesModelsThatItCannotShow) {
   EXPECT_EQ(ErrorOf(Model("<pose relative_to='n'>0 0 0 0 0 0</pose>" + link)),
             "3: <pose>: relative_to='n'; expected a pose relative to its "
             "parent, in m and rad");
-  EXPECT_EQ(ErrorOf(Model(link) + Model(link)), "4: <model>: 'm'; expected a name that nothing else has");
+  EXPECT_EQ(ErrorOf(Model(link) + Model(link)),
+            "4: <model>: 'm'; expected a name that nothing else has");
 }
 
 TEST(GazeboWorld, RefusesWorldsThatItCannotShow) {
