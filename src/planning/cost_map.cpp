@@ -30,8 +30,7 @@ CostMap::Level CostMap::LevelOf(double clearance) const {
 
 void CostMap::SetMap(const ClearanceMap& clearance) {
   geometry_ = clearance.geometry();
-  levels_.assign(static_cast<std::size_t>(stride()) * (geometry_.height + 2),
-                 kLethal);
+  levels_.assign(static_cast<std::size_t>(stride()) * rows(), kLethal);
   Update(clearance, geometry_.Bounds());
 }
 

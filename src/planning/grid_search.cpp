@@ -14,7 +14,7 @@ constexpr StepCost kUnreached = std::numeric_limits<StepCost>::max();
 
 // The most that one step adds to the cost and to the heuristic together.
 constexpr StepCost kLongestStep =
-    2 * CostMap::kMaxLevel * kDiagonal + 2 * CostMap::kUnit * kDiagonal;
+    2 * CostMap::kMaxLevel * kDiagonal + kFreeStep + kFreeDetour;
 
 // Costs beyond this would run over; at 0.05 m per cell it is a hundred
 // kilometres of free path.
@@ -45,14 +45,6 @@ unsigned Behind(int direction) {
 }  // namespace
 
 GridSearch::GridSearch() : open_(kBucketBits, kLongestStep) {}
-
-inline StepCost GridSearch::Heuristic(int x, int y) const {
-  const StepCost dx = std::abs(x - goal_.x);
-  const StepCost dy = std::abs(y - goal_.y);
-  constexpr StepCost kBoth = 2 * CostMap::kUnit;
-  return kBoth * (kStraight * std::max(dx, dy) +
-                  (kDiagonal - kStraight) * std::min(dx, dy));
-}
 
 void GridSearch::Prepare(const CostMap& costs) {
   const std::size_t size = costs.levels().size();
@@ -95,7 +87,7 @@ __attribute__((always_inline)) inline void GridSearch::Look(
     return;
   }
   const Cell cell{from.cell.x + kStep.x, from.cell.y + kStep.y};
-  const StepCost key = cost + Heuristic(cell.x, cell.y);
+  const StepCost key = cost + FreeCost(cell, goal_);
   if (key >= goal_cost_) return;
   if (level >= from.tight_level && !from.passages.Fits(cell, kDirection)) {
     return;
@@ -146,7 +138,7 @@ SearchResult GridSearch::Run(const CostMap& costs, const PassageCheck& passages,
   tight_level_ = passages.TightLevel(costs);
   nodes_[costs.Index(start)] = MakeNode(0, kNoDirection);
   if (start == goal) goal_cost_ = 0;
-  const StepCost first_key = Heuristic(start.x, start.y);
+  const StepCost first_key = FreeCost(start, goal);
   open_.Restart(first_key);
   open_.Push(first_key, {static_cast<std::uint16_t>(start.x),
                          static_cast<std::uint16_t>(start.y), 0});

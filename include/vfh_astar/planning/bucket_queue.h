@@ -36,6 +36,12 @@ class BucketQueue {
 
   bool empty() const { return size_ == 0; }
 
+  /// No greater key may be pushed now.
+  std::uint32_t GreatestKey() const {
+    return (current_ + static_cast<std::uint32_t>(buckets_.size()) - 1)
+           << width_bits_;
+  }
+
   void Push(std::uint32_t key, const Entry& entry) {
     const std::uint32_t bucket = key >> width_bits_;
     assert(bucket >= current_ && bucket - current_ < buckets_.size());

@@ -1,9 +1,11 @@
 #ifndef VFH_ASTAR_PLANNING_COST_MAP_H_
 #define VFH_ASTAR_PLANNING_COST_MAP_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <opencv2/core/types.hpp>
 #include <vector>
 
@@ -38,10 +40,13 @@ struct CostModel {
 };
 
 /// The cost factor of every cell in whole sixteenths, with a border of lethal
-/// cells around the map, so that a search needs no test for the map's edge.
+/// cells around the map, so that a search needs no test for the map's edge. The
+/// border is one cell wide at the lower edges and at the upper ones as wide as
+/// makes the whole divide into blocks.
 class CostMap {
  public:
   using Level = std::uint8_t;
+  static constexpr int kBlockSide = 8;  ///< cells.
   static constexpr Level kLethal = 0;
   static constexpr Level kUnit = 16;  ///< the factor 1.
   static constexpr Level kMaxLevel = 255;
@@ -71,9 +76,11 @@ class CostMap {
   /// cuts no corner.
   bool IsOpen(const Cell& cell, int direction) const;
 
-  /// Levels row by row with the border; see Index and stride.
+  /// Levels row by row with the border; see Index.
   const std::vector<Level>& levels() const { return levels_; }
-  int stride() const { return geometry_.width + 2; }
+  /// Cells in a row of levels, and rows; multiples of kBlockSide.
+  int rows() const { return Padded(geometry_.height); }
+  int stride() const { return Padded(geometry_.width); }
 
   /// @param[in] cell within the map or on its border (-1 to width or height).
   std::size_t Index(const Cell& cell) const {
@@ -81,6 +88,10 @@ class CostMap {
   }
 
  private:
+  static constexpr int Padded(int side) {
+    return (side + 2 + kBlockSide - 1) / kBlockSide * kBlockSide;
+  }
+
   CostModel model_;
   GridGeometry geometry_;
   std::vector<Level> levels_;
@@ -98,6 +109,18 @@ inline constexpr StepCost kFreeStep = 2 * CostMap::kUnit * kStraight;
 inline StepCost CostOfStep(CostMap::Level from, CostMap::Level to,
                            int direction) {
   return (StepCost{from} + to) * (direction % 2 == 0 ? kStraight : kDiagonal);
+}
+
+/// What a diagonal step between free cells costs more than a straight one.
+inline constexpr StepCost kFreeDetour =
+    2 * CostMap::kUnit * (kDiagonal - kStraight);
+
+/// The cost between cells this far apart if all cells were free, which is the
+/// heuristic of the searches (octile distance).
+inline StepCost FreeCost(const Cell& from, const Cell& to) {
+  const StepCost dx = std::abs(to.x - from.x);
+  const StepCost dy = std::abs(to.y - from.y);
+  return kFreeStep * std::max(dx, dy) + kFreeDetour * std::min(dx, dy);
 }
 
 }  // namespace vfh_astar

@@ -10,17 +10,9 @@
 #include "vfh_astar/planning/bucket_queue.h"
 #include "vfh_astar/planning/cost_map.h"
 #include "vfh_astar/planning/passage_check.h"
+#include "vfh_astar/planning/search_result.h"
 
 namespace vfh_astar {
-
-enum class SearchStatus { kFound, kExhausted, kCancelled };
-
-struct SearchResult {
-  SearchStatus status = SearchStatus::kExhausted;
-  std::vector<Cell> cells;  ///< start to goal; empty unless found.
-  StepCost cost = 0;
-  std::int64_t nodes_expanded = 0;
-};
 
 /// A* over a cost map: eight directions, no corner cut, octile heuristic. The
 /// path it finds has the least cost there is.
@@ -85,7 +77,6 @@ class GridSearch {
               const PassageCheck& passages);
   template <int kDirection>
   void Look(const Expansion& from);
-  StepCost Heuristic(int x, int y) const;
   std::vector<Cell> PathToGoal(const Cell& start, const CostMap& costs) const;
 
   GridGeometry geometry_;

@@ -14,7 +14,7 @@
 #include "vfh_astar/outcome.h"
 #include "vfh_astar/parameters.h"
 #include "vfh_astar/planning/cost_map.h"
-#include "vfh_astar/planning/grid_search.h"
+#include "vfh_astar/planning/cost_search.h"
 #include "vfh_astar/planning/passage_check.h"
 
 namespace vfh_astar {
@@ -117,7 +117,7 @@ class PathPlanner {
   PathPlannerParameters parameters_;
   ClearanceMap clearance_;
   CostMap costs_;
-  GridSearch search_;
+  CostSearch search_;
 };
 
 }  // namespace vfh_astar

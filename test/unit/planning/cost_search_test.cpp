@@ -1,75 +1,28 @@
-#include "vfh_astar/planning/grid_search.h"
+#include "vfh_astar/planning/cost_search.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
-#include <set>
 #include <thread>
-#include <tuple>
 
+#include "planning/cost_scene.h"
 #include "planning/text_map.h"
+#include "vfh_astar/planning/grid_search.h"
 
 namespace vfh_astar {
 namespace {
 
-ClearanceMap ClearanceOf(const OccupancyGrid& map) {
-  ClearanceMap clearance(65, 3.0);
-  clearance.SetMap(map);
-  return clearance;
-}
+/// The search by cells, and the one that asks it only when blocks do not tell.
+template <typename Search>
+class LeastCost : public testing::Test {};
 
-/// What a search needs to know.
-struct Scene {
-  Scene(const OccupancyGrid& map, const CostModel& model,
-        const Footprint& footprint)
-      : clearance(ClearanceOf(map)),
-        costs(model),
-        passages(footprint, {-100.0, -100.0, 0.0}, clearance) {
-    costs.SetMap(clearance);
-  }
+using Searches = testing::Types<GridSearch, CostSearch>;
+TYPED_TEST_SUITE(LeastCost, Searches);
 
-  ClearanceMap clearance;
-  CostMap costs;
-  PassageCheck passages;
-};
-
-const Footprint kSmall{0.1, 0.1, 0.1};
-
-CostModel Uniform() {
-  CostModel model;
-  model.lethal_clearance = 0.5;
-  model.weight = 1.0;
-  return model;
-}
-
-/// Dijkstra's algorithm as in the textbook.
-StepCost Dijkstra(const Scene& scene, const Cell& start, const Cell& goal) {
-  constexpr StepCost kNone = std::numeric_limits<StepCost>::max();
-  Grid<StepCost> costs(scene.costs.geometry(), kNone);
-  std::set<std::tuple<StepCost, int, int>> open = {{0, start.x, start.y}};
-  costs[start] = 0;
-  while (!open.empty()) {
-    const auto [cost, x, y] = *open.begin();
-    open.erase(open.begin());
-    for (int direction = 0; direction < kDirections; ++direction) {
-      const Cell next{x + kSteps[direction].x, y + kSteps[direction].y};
-      if (!scene.costs.IsOpen({x, y}, direction)) continue;
-      if (!scene.passages.Fits(next, direction)) continue;
-      const StepCost sum =
-          cost + CostOfStep(scene.costs[{x, y}], scene.costs[next], direction);
-      if (sum >= costs[next]) continue;
-      open.erase({costs[next], next.x, next.y});
-      costs[next] = sum;
-      open.emplace(sum, next.x, next.y);
-    }
-  }
-  return costs[goal];
-}
-
-TEST(GridSearch, GoesStraight) {
+TYPED_TEST(LeastCost, GoesStraight) {
   const Scene scene(TextMap({"......"}), Uniform(), kSmall);
-  GridSearch search;
+  TypeParam search;
   const SearchResult result =
       search.Run(scene.costs, scene.passages, {0, 0}, {5, 0}, nullptr);
   EXPECT_EQ(result.status, SearchStatus::kFound);
@@ -79,20 +32,20 @@ TEST(GridSearch, GoesStraight) {
   EXPECT_EQ(result.cells.back(), (Cell{5, 0}));
 }
 
-TEST(GridSearch, GoesRoundCorners) {
+TYPED_TEST(LeastCost, GoesRoundCorners) {
   const Scene scene(TextMap({"...",  //
                              ".#.",  //
                              "..."}),
                     Uniform(), kSmall);
-  GridSearch search;
+  TypeParam search;
   const SearchResult result =
       search.Run(scene.costs, scene.passages, {0, 0}, {2, 2}, nullptr);
   EXPECT_EQ(result.cost, 4 * kFreeStep);
 }
 
-TEST(GridSearch, StartMayBeTheGoal) {
+TYPED_TEST(LeastCost, StartMayBeTheGoal) {
   const Scene scene(TextMap({"..."}), Uniform(), kSmall);
-  GridSearch search;
+  TypeParam search;
   const SearchResult result =
       search.Run(scene.costs, scene.passages, {1, 0}, {1, 0}, nullptr);
   EXPECT_EQ(result.status, SearchStatus::kFound);
@@ -100,9 +53,9 @@ TEST(GridSearch, StartMayBeTheGoal) {
   EXPECT_EQ(result.cells, (std::vector<Cell>{{1, 0}}));
 }
 
-TEST(GridSearch, KnowsWhatItReached) {
+TYPED_TEST(LeastCost, KnowsWhatItReached) {
   const Scene scene(TextMap({"..#."}), Uniform(), kSmall);
-  GridSearch search;
+  TypeParam search;
   const SearchResult result =
       search.Run(scene.costs, scene.passages, {0, 0}, {3, 0}, nullptr);
   EXPECT_EQ(result.status, SearchStatus::kExhausted);
@@ -111,28 +64,9 @@ TEST(GridSearch, KnowsWhatItReached) {
   EXPECT_FALSE(search.IsReached({3, 0}));
 }
 
-/// A cost that is really that of the path, along open steps.
-void ExpectValidPath(const Scene& scene, const SearchResult& result) {
-  StepCost sum = 0;
-  for (std::size_t i = 1; i < result.cells.size(); ++i) {
-    const Cell& from = result.cells[i - 1];
-    const Cell& to = result.cells[i];
-    int direction = 0;
-    while (direction < kDirections &&
-           kSteps[direction] != Cell{to.x - from.x, to.y - from.y}) {
-      ++direction;
-    }
-    ASSERT_LT(direction, kDirections);
-    EXPECT_TRUE(scene.costs.IsOpen(from, direction));
-    EXPECT_TRUE(scene.passages.Fits(to, direction));
-    sum += CostOfStep(scene.costs[from], scene.costs[to], direction);
-  }
-  EXPECT_EQ(sum, result.cost);
-}
-
-TEST(GridSearch, CostsWhatDijkstraFinds) {
+TYPED_TEST(LeastCost, CostsWhatDijkstraFinds) {
   std::mt19937 random(3);
-  GridSearch search;
+  TypeParam search;
   int found = 0;
   int unreachable = 0;
   int rounds = 0;
@@ -177,7 +111,7 @@ TEST(GridSearch, CostsWhatDijkstraFinds) {
   EXPECT_GT(unreachable, rounds / 20);
 }
 
-TEST(GridSearch, RefusesAPassageTooNarrowForTheRectangle) {
+TYPED_TEST(LeastCost, RefusesAPassageTooNarrowForTheRectangle) {
   // The gap below is one cell: room for the inscribed circle, not for the
   // width of the robot. The one above is five cells.
   std::vector<std::string> rows(25, std::string(30, '.'));
@@ -189,7 +123,7 @@ TEST(GridSearch, RefusesAPassageTooNarrowForTheRectangle) {
   model.lethal_clearance = 0.8;
   const auto row_of_passage = [&](const Footprint& footprint) {
     const Scene scene(TextMap(rows), model, footprint);
-    GridSearch search;
+    TypeParam search;
     const SearchResult result =
         search.Run(scene.costs, scene.passages, {5, 4}, {24, 4}, nullptr);
     for (const Cell& cell : result.cells) {
@@ -201,7 +135,7 @@ TEST(GridSearch, RefusesAPassageTooNarrowForTheRectangle) {
   EXPECT_GE(row_of_passage({0.8, 0.8, 1.6}), 18);
 }
 
-TEST(GridSearch, IsCancelledFromAnotherThread) {
+TYPED_TEST(LeastCost, IsCancelledFromAnotherThread) {
   // Free but for a wall around the goal, so that all must be searched.
   GridGeometry geometry;
   geometry.resolution = 1.0;
@@ -209,7 +143,7 @@ TEST(GridSearch, IsCancelledFromAnotherThread) {
   OccupancyGrid map(geometry, 0);
   for (int i = 2900; i < 3000; ++i) map[{2900, i}] = map[{i, 2900}] = 100;
   const Scene scene(map, Uniform(), kSmall);
-  GridSearch search;
+  TypeParam search;
   std::atomic<bool> cancelled{false};
   std::thread canceller([&cancelled] {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
