@@ -24,6 +24,9 @@ void BlockSearch::Expand(Block& block) {
 
 inline void BlockSearch::EnterBeside(Block& block, const EdgeOffers& offers) {
   const std::array<Block*, kBlockEdges> beside = Beside(block);
+  std::uint32_t differs = 0;
+  for (const Block* other : beside) differs |= other->generation ^ generation_;
+  if (differs == 0) return;
   for (int edge = 0; edge < kBlockEdges; ++edge) {
     if (beside[edge]->generation == generation_) continue;
     const int greatest = GreatestLane(offers.lanes[edge]);
@@ -83,32 +86,29 @@ void BlockSearch::PushEdgesByCell(Block& block, const EdgeOffers& offers) {
 inline void BlockSearch::PushCorners(Block& block) {
   Block* const to[] = {&block - stride_ - 1, &block - stride_ + 1,
                        &block + stride_ - 1, &block + stride_ + 1};
-  const auto lanes_of = [&](const auto& value) {
-    return WideLanes{value(*to[0]), value(*to[1]), value(*to[2]),
-                     value(*to[3])};
-  };
-  const WideLanes below = {block.row(0)[0], block.row(0)[kLast],
-                           block.row(kLast)[0], block.row(kLast)[kLast]};
-  const WideLanes known = {to[0]->row(kLast)[kLast], to[1]->row(kLast)[0],
-                           to[2]->row(0)[kLast], to[3]->row(0)[0]};
-  const WideLanes shift = lanes_of([&](const Block& other) {
-    return static_cast<int>(other.ceiling - block.ceiling);
-  });
-  const WideLanes is_strange = lanes_of([&](const Block& other) {
-    return static_cast<int>(other.generation ^ generation_);
-  });
-  const WideLanes is_open =
-      (static_cast<int>(block.open_corners) & WideLanes{1, 2, 4, 8}) != 0;
-  // Few corners bring news; which ones would be guessed wrong.
-  const WideLanes is_news =
-      is_open & (below >= kLeastBelow) &
-      ((is_strange != 0) | (known == 0) |
-       (below - kBlockDiagonal + shift > known));
-  for (unsigned left = SignBits(is_news); left != 0; left &= left - 1) {
+  // Without branches, which would be guessed wrong: few corners bring news.
+  unsigned is_news = 0;
+  for (int corner = 0; corner < 4; ++corner) {
+    const int x = corner % 2 == 0 ? 0 : kLast;
+    const int y = corner / 2 == 0 ? 0 : kLast;
+    const Block& other = *to[corner];
+    const int below = block.row(y)[x];
+    const int known = other.row(kLast - y)[kLast - x];
+    const auto shift = static_cast<int>(other.ceiling - block.ceiling);
+    const bool is_less = (other.generation != generation_) | (known == 0) |
+                         (below - kBlockDiagonal + shift > known);
+    is_news |= static_cast<unsigned>(is_less & (below >= kLeastBelow))
+               << corner;
+  }
+  is_news &= block.open_corners;
+  for (unsigned left = is_news; left != 0; left &= left - 1) {
     const int corner = __builtin_ctz(left);
-    const Cell cell = {block.x + (corner % 2 == 0 ? -1 : kSide),
-                       block.y + (corner / 2 == 0 ? -1 : kSide)};
-    PushCell(block, *to[corner], cell, below[corner] - kBlockDiagonal);
+    const Cell from = {corner % 2 == 0 ? 0 : kLast,
+                       corner / 2 == 0 ? 0 : kLast};
+    const Cell cell = {block.x + (from.x == 0 ? -1 : kSide),
+                       block.y + (from.y == 0 ? -1 : kSide)};
+    PushCell(block, *to[corner], cell,
+             block.row(from.y)[from.x] - kBlockDiagonal);
   }
 }
 

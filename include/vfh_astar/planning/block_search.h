@@ -50,7 +50,7 @@ class BlockSearch {
 
   // Where the first length in a block is put: what comes later may be shorter
   // by ten cells.
-  static constexpr int kFirst = kMostBelow - 14 * kBlockStraight;
+  static constexpr int kFirst = kMostBelow - 10 * kBlockStraight;
 
   /// @param[in] cell of the map or beside it.
   std::size_t IndexOfBlock(const Cell& cell) const {
