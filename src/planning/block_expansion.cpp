@@ -15,44 +15,28 @@ constexpr int kLast = kSide - 1;
 }  // namespace
 
 void BlockSearch::Expand(Block& block) {
-  if (kernel_->relax(block)) DropUpTo(block, kLeastBelow - 1);
-  const EdgeOffers offers = kernel_->offer(block, stride_);
-  EnterBeside(block, offers);
-  PushEdges(block, offers);
-  PushCorners(block);
-}
-
-inline void BlockSearch::EnterBeside(Block& block, const EdgeOffers& offers) {
-  const std::array<Block*, kBlockEdges> beside = Beside(block);
-  std::uint32_t differs = 0;
-  for (const Block* other : beside) differs |= other->generation ^ generation_;
-  if (differs == 0) return;
-  for (int edge = 0; edge < kBlockEdges; ++edge) {
-    if (beside[edge]->generation == generation_) continue;
-    const int greatest = GreatestLane(offers.lanes[edge]);
-    if (greatest > 0) Enter(*beside[edge], block.ceiling - greatest);
-  }
-}
-
-inline void BlockSearch::PushEdges(Block& block, const EdgeOffers& offers) {
   const EstimateFrame frame = {{goal_.x - block.x, goal_.y - block.y},
                                least_key_,
-                               goal_length_};
-  EdgeNews news = kernel_->push(block, stride_, offers, frame);
+                               goal_length_,
+                               generation_};
+  EdgeOffers offers;
+  EdgeNews news = kernel_->expand(block, stride_, frame, offers);
+  if (news.is_short) DropUpTo(block, kLeastBelow - 1);
   if (!news.fits) {
     MakeRoom(block, offers);
     news = kernel_->push(block, stride_, offers, frame);
-    if (!news.fits) {
-      PushEdgesByCell(block, offers);
-      return;
+  }
+  if (news.fits) {
+    const std::array<Block*, kBlockEdges> beside = Beside(block);
+    for (unsigned left = news.is_opened; left != 0; left &= left - 1) {
+      const int edge = __builtin_ctz(left);
+      beside[edge]->key = news.keys[edge];
+      open_.Push(news.keys[edge], beside[edge]);
     }
+  } else {
+    PushEdgesByCell(block, offers);
   }
-  const std::array<Block*, kBlockEdges> beside = Beside(block);
-  for (unsigned left = news.is_opened; left != 0; left &= left - 1) {
-    const int edge = __builtin_ctz(left);
-    beside[edge]->key = news.keys[edge];
-    open_.Push(news.keys[edge], beside[edge]);
-  }
+  PushCorners(block);
 }
 
 void BlockSearch::MakeRoom(Block& block, const EdgeOffers& offers) {
@@ -62,7 +46,7 @@ void BlockSearch::MakeRoom(Block& block, const EdgeOffers& offers) {
     const int greatest = GreatestLane(offers.lanes[edge]);
     if (greatest == 0) continue;
     const int below = greatest + static_cast<int>(to.ceiling - block.ceiling);
-    if (below >= kMostBelow) LowerCeiling(to, below - kFirst);
+    if (below >= kMostBelow) LowerCeiling(to, below - kFirstBelow);
   }
 }
 
@@ -117,11 +101,11 @@ void BlockSearch::PushCell(const Block& from, Block& to, const Cell& cell,
   const BlockLength length = from.ceiling - below;
   const BlockLength estimate = length + Heuristic(cell);
   if (estimate >= goal_length_) return;
-  if (to.generation != generation_) Enter(to, length);
+  if (to.generation != generation_) to.Enter(length, generation_);
   int below_to = static_cast<int>(to.ceiling - length);
   if (below_to > kMostBelow) {
-    LowerCeiling(to, below_to - kFirst);
-    below_to = kFirst;
+    LowerCeiling(to, below_to - kFirstBelow);
+    below_to = kFirstBelow;
   }
   std::int16_t* const row =
       reinterpret_cast<std::int16_t*>(&to.row(cell.y % kSide));

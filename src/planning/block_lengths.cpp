@@ -1,7 +1,11 @@
 #include "vfh_astar/planning/block_lengths.h"
 
-#include <algorithm>
-#include <cstdlib>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "vfh_astar/planning/lanes.h"
 
 // Other compilers have other ways to compile a function for one processor.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -11,9 +15,11 @@
 
 namespace vfh_astar {
 
+// The kernel is compiled twice, over what the file before it has for the
+// processor.
 namespace baseline {
 #include "lane_pairs.inc"
-// The kernel needs what stands above.
+
 #include "block_lengths_kernel.inc"
 }  // namespace baseline
 
@@ -22,7 +28,7 @@ namespace baseline {
 #pragma GCC target("avx2")
 namespace avx2 {
 #include "lane_pairs_avx2.inc"
-// The kernel needs what stands above.
+
 #include "block_lengths_kernel.inc"
 }  // namespace avx2
 #pragma GCC pop_options

@@ -72,8 +72,8 @@ void BlockSearch::UpdateCorner(const Cell& cell) {
     Block& block = blocks_[IndexOfBlock({cell.x + i % 2, cell.y + i / 2})];
     // To the south-western one it is the north-eastern corner.
     const std::uint32_t bit = 1U << (3 - i);
-    block.open_corners = is_open ? block.open_corners | bit
-                                 : block.open_corners & ~bit;
+    block.open_corners =
+        is_open ? block.open_corners | bit : block.open_corners & ~bit;
   }
 }
 
@@ -98,8 +98,8 @@ JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
   dropped_estimate_ = kNoLength;
   open_.Restart(Heuristic(start));
   Block& first = blocks_[IndexOfBlock(start)];
-  Enter(first, 0);
-  first.row(start.y % kSide)[start.x % kSide] = kFirst;
+  first.Enter(0, generation_);
+  first.row(start.y % kSide)[start.x % kSide] = kFirstBelow;
   Open(first, Heuristic(start));
 
   const Block& last = blocks_[IndexOfBlock(goal)];

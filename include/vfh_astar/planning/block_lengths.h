@@ -13,7 +13,8 @@ namespace vfh_astar {
 
 /// Of a way, in units of a straight step's 408th part.
 using BlockLength = std::uint32_t;
-inline constexpr BlockLength kNoLength = std::numeric_limits<BlockLength>::max();
+inline constexpr BlockLength kNoLength =
+    std::numeric_limits<BlockLength>::max();
 
 inline constexpr int kBlockSide = kLanes;  ///< cells.
 
@@ -27,6 +28,10 @@ inline constexpr std::int16_t kMostBelow =
 /// What is nearer to it may have lost its next step to the end of the range.
 inline constexpr std::int16_t kLeastBelow = kBlockDiagonal + 1;
 
+/// Where the first length in a block is put: what comes later may be shorter by
+/// ten cells.
+inline constexpr int kFirstBelow = kMostBelow - 10 * kBlockStraight;
+
 /// The lengths of ways to 8 x 8 cells, kept as what they fall short of a
 /// ceiling: the greater, the shorter; 0 where no way leads and in blocked
 /// cells. What is longer than the ceiling is dropped.
@@ -38,7 +43,7 @@ struct LengthBlock {
   /// east since the rows were brought up to date.
   alignas(32) std::array<Lanes, 2> columns{};
   BlockLength ceiling = 0;
-  BlockLength key = kNoLength;  ///< least estimate when open, else kNoLength.
+  BlockLength key = kNoLength;   ///< least estimate when open, else kNoLength.
   std::uint32_t generation = 0;  ///< of the search that wrote it.
   std::int16_t x = 0;            ///< its first cell.
   std::int16_t y = 0;
@@ -50,9 +55,14 @@ struct LengthBlock {
 
   Lanes& row(int y) { return folded_rows[PlaceOfRow(y)]; }
   const Lanes& row(int y) const { return folded_rows[PlaceOfRow(y)]; }
-  void Clear() {
+  /// Forgets what an earlier search wrote.
+  /// @param[in] length of the first way into it.
+  void Enter(BlockLength length, std::uint32_t generation_now) {
     folded_rows.fill(AllLanes(0));
     columns.fill(AllLanes(0));
+    ceiling = length + kFirstBelow;
+    key = kNoLength;
+    generation = generation_now;
   }
 
  private:
@@ -70,12 +80,15 @@ struct EdgeOffers {
 
 /// What estimates are made of and held against.
 struct EstimateFrame {
-  Cell goal;  ///< from the block's first cell.
+  Cell goal;          ///< from the block's first cell.
   BlockLength least;  ///< no estimate is less, nor more by 2^16 - 1 or more.
   BlockLength limit;  ///< nothing opens a block whose estimate is not less.
+  std::uint32_t generation;  ///< of the search.
 };
 
 struct EdgeNews {
+  /// Whether a length in the block is less than kLeastBelow below its ceiling.
+  bool is_short;
   /// False when some lengths do not fit into the block beside. Then nothing has
   /// been done.
   bool fits;
@@ -86,11 +99,13 @@ struct EdgeNews {
 /// What is done with all cells of a block or of its edges at once, for one kind
 /// of processor.
 struct BlockKernel {
-  /// Steps within the block till no length becomes less.
-  /// @return true when one is less than kLeastBelow below the ceiling.
-  bool (*relax)(LengthBlock& block);
-  /// @param[in] block is up to date, in an array of rows of `stride` blocks.
-  EdgeOffers (*offer)(const LengthBlock& block, std::ptrdiff_t stride);
+  /// Steps within the block till no length becomes less, and as `push` into the
+  /// blocks beside, which become part of the search when something is offered
+  /// to them.
+  /// @param[in] block in an array of rows of `stride` blocks.
+  /// @param[out] offers to the blocks beside.
+  EdgeNews (*expand)(LengthBlock& block, std::ptrdiff_t stride,
+                     const EstimateFrame& frame, EdgeOffers& offers);
   /// Shortens what the offers shorten in the blocks beside; one that nothing is
   /// offered to is left alone.
   EdgeNews (*push)(LengthBlock& block, std::ptrdiff_t stride,

@@ -68,7 +68,9 @@ TEST_P(BlockLengths, AreThoseOfSingleSteps) {
   std::mt19937 random(3);
   int short_ones = 0;
   for (int round = 0; round < 500; ++round) {
-    LengthBlock block;
+    // Amid blocked ones.
+    std::array<LengthBlock, 9> blocks;
+    LengthBlock& block = blocks[4];
     Below expected{};
     for (int cell = 0; cell < kCells; ++cell) {
       const int x = cell % kBlockSide;
@@ -89,7 +91,11 @@ TEST_P(BlockLengths, AreThoseOfSingleSteps) {
       }
     }
     RelaxCells(block.free_rows, expected);
-    const bool is_short = kernel_->relax(block);
+    EdgeOffers offers;
+    const EdgeNews news = kernel_->expand(block, 3, EstimateFrame{}, offers);
+    ASSERT_TRUE(news.fits);
+    ASSERT_EQ(news.is_opened, 0u);
+    const bool is_short = news.is_short;
     bool expected_short = false;
     for (int y = 0; y < kBlockSide; ++y) {
       for (int x = 0; x < kBlockSide; ++x) {
@@ -106,6 +112,8 @@ TEST_P(BlockLengths, AreThoseOfSingleSteps) {
   EXPECT_GT(short_ones, 50);
   EXPECT_LT(short_ones, 480);
 }
+
+constexpr std::uint32_t kGeneration = 5;
 
 /// A block amid others, in rows of three.
 struct Neighbourhood {
@@ -132,6 +140,7 @@ struct Neighbourhood {
       }
       block.ceiling = any(1000000, 3000);
       if (any(0, 2) == 0) block.key = any(1000000, 30000);
+      block.generation = kGeneration - (any(0, 4) == 0 ? 1 : 0);
     }
   }
 
@@ -156,6 +165,7 @@ TEST_P(BlockLengths, GoOnToTheBlocksBeside) {
   std::mt19937 random(4);
   int opened = 0;
   int unfit = 0;
+  int entered = 0;
   for (int round = 0; round < 1000; ++round) {
     Neighbourhood around(random);
     const Cell goal = {static_cast<int>(random() % 1000) - 500,
@@ -167,17 +177,25 @@ TEST_P(BlockLengths, GoOnToTheBlocksBeside) {
         around.centre.ceiling - 20000 +
             std::max(0, Heuristic(goal.x, goal.y) - 12 * kBlockDiagonal),
         round % 2 == 0 ? kNoLength
-                       : 1000000 - 15000 + Heuristic(goal.x, goal.y)};
+                       : 1000000 - 15000 + Heuristic(goal.x, goal.y),
+        kGeneration};
 
-    const EdgeOffers offers =
-        kernel_->offer(around.centre, Neighbourhood::kStride);
     const auto before = around.blocks;
-    const EdgeNews news = kernel_->push(
-        around.centre, Neighbourhood::kStride, offers, frame);
+    EdgeOffers offers;
+    const EdgeNews news =
+        kernel_->expand(around.centre, Neighbourhood::kStride, frame, offers);
     bool fits = true;
     for (int edge = 0; edge < kBlockEdges; ++edge) {
       LengthBlock& to = *around.beside[edge];
-      const LengthBlock& was = before[&to - around.blocks.data()];
+      LengthBlock was = before[&to - around.blocks.data()];
+      if (was.generation != kGeneration) {
+        const int greatest = GreatestLane(offers.lanes[edge]);
+        if (greatest == 0) continue;
+        ++entered;
+        was.Enter(around.centre.ceiling - greatest, kGeneration);
+        ASSERT_EQ(to.ceiling, was.ceiling);
+        ASSERT_EQ(to.generation, kGeneration);
+      }
       const bool is_row = edge < 2;
       const int across = edge % 2 == 0 ? -1 : kBlockSide;
       const int from_line = edge % 2 == 0 ? 0 : kBlockSide - 1;
@@ -196,11 +214,10 @@ TEST_P(BlockLengths, GoOnToTheBlocksBeside) {
               !around.IsFreeCell(cell.x, from.y)) {
             continue;
           }
-          best = std::max(best, around.centre.row(from.y)[from.x] -
-                                    (aside == 0 ? kBlockStraight
-                                                : kBlockDiagonal));
+          best = std::max(best,
+                          around.centre.row(from.y)[from.x] -
+                              (aside == 0 ? kBlockStraight : kBlockDiagonal));
         }
-        // A diagonal passage takes its four cells free, a straight one two.
         ASSERT_EQ(offers.lanes[edge][lane], best)
             << "round " << round << " edge " << edge << " lane " << lane;
         if (best == 0) continue;
@@ -215,12 +232,12 @@ TEST_P(BlockLengths, GoOnToTheBlocksBeside) {
             to.ceiling - below + Heuristic(goal.x - cell.x, goal.y - cell.y);
         key = std::min(key, estimate);
         if (!news.fits) continue;
-        ASSERT_EQ(is_row ? to.row(to_line)[lane]
-                         : to.columns[1 - edge % 2][lane],
-                  below);
+        ASSERT_EQ(
+            is_row ? to.row(to_line)[lane] : to.columns[1 - edge % 2][lane],
+            below);
       }
       if (!news.fits) continue;
-      const bool is_opened = key < to.key && key < frame.limit;
+      const bool is_opened = key < was.key && key < frame.limit;
       ASSERT_EQ((news.is_opened >> edge & 1) != 0, is_opened)
           << "round " << round;
       if (!is_opened) continue;
@@ -232,6 +249,7 @@ TEST_P(BlockLengths, GoOnToTheBlocksBeside) {
   }
   EXPECT_GT(opened, 500);
   EXPECT_GT(unfit, 20);
+  EXPECT_GT(entered, 200);
 }
 
 }  // namespace

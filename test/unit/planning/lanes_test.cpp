@@ -48,8 +48,9 @@ TEST(Lanes, SumStopsAtTheLimit) {
 TEST(Lanes, SignsAreBits) {
   EXPECT_EQ((SignBits(WideLanes{0, 1, 2, 3})), 0u);
   EXPECT_EQ((SignBits(WideLanes{-1, 1, -2, 3})), 5u);
-  EXPECT_EQ((SignBits(WideLanes{4, -4, 0, std::numeric_limits<std::int32_t>::min()})),
-            10u);
+  EXPECT_EQ(
+      (SignBits(WideLanes{4, -4, 0, std::numeric_limits<std::int32_t>::min()})),
+      10u);
 }
 
 TEST(Lanes, AnyLaneCounts) {
