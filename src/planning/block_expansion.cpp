@@ -20,8 +20,9 @@ void BlockSearch::Expand(Block& block) {
                                goal_length_,
                                generation_};
   EdgeOffers offers;
-  EdgeNews news = kernel_->expand(block, stride_, frame, offers);
-  if (news.is_short) DropUpTo(block, kLeastBelow - 1);
+  const BlockNews result = kernel_->expand(block, stride_, frame, offers);
+  EdgeNews news = result.edges;
+  if (result.is_short) DropUpTo(block, kLeastBelow - 1);
   if (!news.fits) {
     MakeRoom(block, offers);
     news = kernel_->push(block, stride_, offers, frame);
@@ -36,7 +37,7 @@ void BlockSearch::Expand(Block& block) {
   } else {
     PushEdgesByCell(block, offers);
   }
-  PushCorners(block);
+  PushCorners(block, result.corners);
 }
 
 void BlockSearch::MakeRoom(Block& block, const EdgeOffers& offers) {
@@ -67,31 +68,13 @@ void BlockSearch::PushEdgesByCell(Block& block, const EdgeOffers& offers) {
   }
 }
 
-inline void BlockSearch::PushCorners(Block& block) {
-  Block* const to[] = {&block - stride_ - 1, &block - stride_ + 1,
-                       &block + stride_ - 1, &block + stride_ + 1};
-  // Without branches, which would be guessed wrong: few corners bring news.
-  unsigned is_news = 0;
-  for (int corner = 0; corner < 4; ++corner) {
-    const int x = corner % 2 == 0 ? 0 : kLast;
-    const int y = corner / 2 == 0 ? 0 : kLast;
-    const Block& other = *to[corner];
-    const int below = block.row(y)[x];
-    const int known = other.row(kLast - y)[kLast - x];
-    const auto shift = static_cast<int>(other.ceiling - block.ceiling);
-    const bool is_less = (other.generation != generation_) | (known == 0) |
-                         (below - kBlockDiagonal + shift > known);
-    is_news |= static_cast<unsigned>(is_less & (below >= kLeastBelow))
-               << corner;
-  }
-  is_news &= block.open_corners;
+inline void BlockSearch::PushCorners(Block& block, unsigned is_news) {
   for (unsigned left = is_news; left != 0; left &= left - 1) {
     const int corner = __builtin_ctz(left);
-    const Cell from = {corner % 2 == 0 ? 0 : kLast,
-                       corner / 2 == 0 ? 0 : kLast};
-    const Cell cell = {block.x + (from.x == 0 ? -1 : kSide),
-                       block.y + (from.y == 0 ? -1 : kSide)};
-    PushCell(block, *to[corner], cell,
+    const Cell step = {corner % 2 == 0 ? -1 : 1, corner / 2 == 0 ? -1 : 1};
+    const Cell from = {step.x < 0 ? 0 : kLast, step.y < 0 ? 0 : kLast};
+    Block& to = (&block)[step.y * stride_ + step.x];
+    PushCell(block, to, {block.x + from.x + step.x, block.y + from.y + step.y},
              block.row(from.y)[from.x] - kBlockDiagonal);
   }
 }

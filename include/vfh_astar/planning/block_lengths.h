@@ -87,13 +87,20 @@ struct EstimateFrame {
 };
 
 struct EdgeNews {
-  /// Whether a length in the block is less than kLeastBelow below its ceiling.
-  bool is_short;
   /// False when some lengths do not fit into the block beside. Then nothing has
   /// been done.
   bool fits;
   unsigned is_opened;  ///< a bit per edge: the block beside gets a lower key,
   std::array<BlockLength, kBlockEdges> keys;  ///< this one.
+};
+
+struct BlockNews {
+  EdgeNews edges;
+  /// A bit per corner, in the order of LengthBlock: a diagonal step through it
+  /// makes a length less. Nothing has been done about it.
+  unsigned corners;
+  /// Whether a length in the block is less than kLeastBelow below its ceiling.
+  bool is_short;
 };
 
 /// What is done with all cells of a block or of its edges at once, for one kind
@@ -104,8 +111,8 @@ struct BlockKernel {
   /// to them.
   /// @param[in] block in an array of rows of `stride` blocks.
   /// @param[out] offers to the blocks beside.
-  EdgeNews (*expand)(LengthBlock& block, std::ptrdiff_t stride,
-                     const EstimateFrame& frame, EdgeOffers& offers);
+  BlockNews (*expand)(LengthBlock& block, std::ptrdiff_t stride,
+                      const EstimateFrame& frame, EdgeOffers& offers);
   /// Shortens what the offers shorten in the blocks beside; one that nothing is
   /// offered to is left alone.
   EdgeNews (*push)(LengthBlock& block, std::ptrdiff_t stride,

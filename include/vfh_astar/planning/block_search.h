@@ -72,7 +72,8 @@ class BlockSearch {
   /// Lowers the ceilings of the blocks beside as far as what is offered needs.
   void MakeRoom(Block& block, const EdgeOffers& offers);
   void PushEdgesByCell(Block& block, const EdgeOffers& offers);
-  void PushCorners(Block& block);
+  /// @param[in] is_news a bit per corner.
+  void PushCorners(Block& block, unsigned is_news);
   void PushCell(const Block& from, Block& to, const Cell& cell, int below);
   void Open(Block& block, BlockLength estimate);
   void Drop(BlockLength estimate) {

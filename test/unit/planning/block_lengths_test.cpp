@@ -92,9 +92,10 @@ TEST_P(BlockLengths, AreThoseOfSingleSteps) {
     }
     RelaxCells(block.free_rows, expected);
     EdgeOffers offers;
-    const EdgeNews news = kernel_->expand(block, 3, EstimateFrame{}, offers);
-    ASSERT_TRUE(news.fits);
-    ASSERT_EQ(news.is_opened, 0u);
+    const BlockNews news = kernel_->expand(block, 3, EstimateFrame{}, offers);
+    ASSERT_TRUE(news.edges.fits);
+    ASSERT_EQ(news.edges.is_opened, 0u);
+    ASSERT_EQ(news.corners, 0u);
     const bool is_short = news.is_short;
     bool expected_short = false;
     for (int y = 0; y < kBlockSide; ++y) {
@@ -140,6 +141,7 @@ struct Neighbourhood {
       }
       block.ceiling = any(1000000, 3000);
       if (any(0, 2) == 0) block.key = any(1000000, 30000);
+      block.open_corners = any(0, 16);
       block.generation = kGeneration - (any(0, 4) == 0 ? 1 : 0);
     }
   }
@@ -148,6 +150,26 @@ struct Neighbourhood {
   LengthBlock& BlockOf(int x, int y) {
     return blocks[3 * ((y + kBlockSide) / kBlockSide) +
                   (x + kBlockSide) / kBlockSide];
+  }
+  /// @param[in] before the blocks as they were before they got any news.
+  unsigned CornersWithNews(const std::array<LengthBlock, 9>& before) {
+    constexpr int kLast = kBlockSide - 1;
+    unsigned corners = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+      const int x = corner % 2 == 0 ? 0 : kLast;
+      const int y = corner / 2 == 0 ? 0 : kLast;
+      const LengthBlock& to =
+          before[(corner % 2 == 0 ? 0 : 2) + (corner / 2 == 0 ? 0 : 6)];
+      const int known = to.row(kLast - y)[kLast - x];
+      const int length = centre.ceiling - centre.row(y)[x] + kBlockDiagonal;
+      const bool is_less = known == 0 || to.generation != kGeneration ||
+                           length < static_cast<int>(to.ceiling) - known;
+      if ((centre.open_corners >> corner & 1) != 0 &&
+          centre.row(y)[x] >= kLeastBelow && is_less) {
+        corners |= 1U << corner;
+      }
+    }
+    return corners;
   }
   bool IsFreeCell(int x, int y) {
     return IsFree(BlockOf(x, y).free_rows, (x + kBlockSide) % kBlockSide,
@@ -182,8 +204,10 @@ TEST_P(BlockLengths, GoOnToTheBlocksBeside) {
 
     const auto before = around.blocks;
     EdgeOffers offers;
-    const EdgeNews news =
+    const BlockNews result =
         kernel_->expand(around.centre, Neighbourhood::kStride, frame, offers);
+    const EdgeNews& news = result.edges;
+    ASSERT_EQ(result.corners, around.CornersWithNews(before));
     bool fits = true;
     for (int edge = 0; edge < kBlockEdges; ++edge) {
       LengthBlock& to = *around.beside[edge];
