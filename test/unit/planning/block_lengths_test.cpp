@@ -192,8 +192,9 @@ TEST_P(BlockLengths, GoOnToTheBlocksBeside) {
     Neighbourhood around(random);
     const Cell goal = {static_cast<int>(random() % 1000) - 500,
                        static_cast<int>(random() % 1000) - 500};
-    // Now and then beyond the range.
+    // Now and then beyond the range, at either end.
     if (round % 10 == 0) around.centre.ceiling -= 15000 + random() % 6000;
+    if (round % 10 == 5) around.centre.ceiling += 15000 + random() % 6000;
     const EstimateFrame frame = {
         goal,
         around.centre.ceiling - 20000 +
