@@ -16,10 +16,15 @@ constexpr int kBucketBits = 9;
 
 constexpr int kSide = kBlockSide;
 
+constexpr BlockLength StepLength(int direction) {
+  return direction % 2 == 0 ? kBlockStraight : kBlockDiagonal;
+}
+
 }  // namespace
 
-BlockSearch::BlockSearch(int width, int height)
-    : stride_((width + kSide - 1) / kSide + 2),
+BlockSearch::BlockSearch(int width, int height, const BlockKernel& kernel)
+    : kernel_(&kernel),
+      stride_((width + kSide - 1) / kSide + 2),
       blocks_(stride_ * ((height + kSide - 1) / kSide + 2)),
       // Lengths in a block differ by less than 16 bits, and so do estimates.
       open_(kBucketBits, 2 << 16) {
@@ -32,6 +37,11 @@ BlockSearch::BlockSearch(int width, int height)
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) SetBlocked({x, y}, false);
   }
+}
+
+inline bool BlockSearch::IsFree(const Cell& cell) const {
+  const int bit = kSide * (cell.y & (kSide - 1)) + (cell.x & (kSide - 1));
+  return (blocks_[IndexOfBlock(cell)].free_rows >> bit & 1) != 0;
 }
 
 void BlockSearch::SetBlocked(const Cell& cell, bool is_blocked) {
@@ -47,11 +57,24 @@ void BlockSearch::SetBlocked(const Cell& cell, bool is_blocked) {
     block.free_rows |= in_row;
     block.free_columns |= in_column;
   }
+  const auto is_end = [](int i) { return i == 0 || i == kSide - 1; };
+  if (is_end(x) && is_end(y)) {
+    UpdateCorner({x == 0 ? cell.x - 1 : cell.x, y == 0 ? cell.y - 1 : cell.y});
+  }
 }
 
-inline bool BlockSearch::IsFree(const Cell& cell) const {
-  const int bit = kSide * (cell.y & (kSide - 1)) + (cell.x & (kSide - 1));
-  return (blocks_[IndexOfBlock(cell)].free_rows >> bit & 1) != 0;
+void BlockSearch::UpdateCorner(const Cell& cell) {
+  bool is_open = true;
+  for (int i = 0; i < 4; ++i) {
+    is_open &= IsFree({cell.x + i % 2, cell.y + i / 2});
+  }
+  for (int i = 0; i < 4; ++i) {
+    Block& block = blocks_[IndexOfBlock({cell.x + i % 2, cell.y + i / 2})];
+    // To the south-western one it is the north-eastern corner.
+    const std::uint32_t bit = 1U << (3 - i);
+    block.open_corners =
+        is_open ? block.open_corners | bit : block.open_corners & ~bit;
+  }
 }
 
 inline bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
@@ -60,58 +83,68 @@ inline bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
          IsFree({cell.x + step.x, cell.y}) && IsFree({cell.x, cell.y + step.y});
 }
 
-inline BlockSearch::Length BlockSearch::LengthTo(const Cell& cell) const {
+inline BlockLength BlockSearch::LengthTo(const Cell& cell) const {
   const Block& block = blocks_[IndexOfBlock(cell)];
-  if (block.generation != generation_) return kNone;
-  const std::int16_t below = block.rows[cell.y % kSide][cell.x % kSide];
-  return below == 0 ? kNone : block.ceiling - below;
+  if (block.generation != generation_) return kNoLength;
+  const std::int16_t below = block.row(cell.y % kSide)[cell.x % kSide];
+  return below == 0 ? kNoLength : block.ceiling - below;
 }
 
 JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
   assert(IsFree(start) && IsFree(goal));
   ++generation_;
   goal_ = goal;
-  goal_length_ = kNone;
-  dropped_estimate_ = kNone;
+  goal_length_ = kNoLength;
+  dropped_estimate_ = kNoLength;
   open_.Restart(Heuristic(start));
   Block& first = blocks_[IndexOfBlock(start)];
-  Enter(first, 0);
-  first.rows[start.y % kSide][start.x % kSide] = kFirst;
+  first.Enter(0, generation_);
+  first.row(start.y % kSide)[start.x % kSide] = kFirstBelow;
   Open(first, Heuristic(start));
 
   const Block& last = blocks_[IndexOfBlock(goal)];
   JumpPointResult result;
-  while (!open_.empty() && open_.LeastKey() < goal_length_) {
+  while (!open_.empty()) {
+    least_key_ = open_.LeastKey();
+    if (least_key_ >= goal_length_) break;
     Block& block = *open_.Pop();
     // Opened twice and done already, or too far.
     if (block.key >= goal_length_) continue;
-    block.key = kNone;
+    block.key = kNoLength;
     ++result.nodes_expanded;
     Expand(block);
     if (&block == &last) goal_length_ = std::min(goal_length_, LengthTo(goal));
   }
-  if (goal_length_ != kNone && is_decided()) TracePath(start, result);
+  if (goal_length_ != kNoLength && is_decided()) TracePath(start, result);
   return result;
+}
+
+int BlockSearch::DirectionBack(const Cell& cell, BlockLength length,
+                               int preferred) const {
+  for (int i = 0;; ++i) {
+    assert(i < kDirections);
+    const int direction = (preferred + i) % kDirections;
+    const Cell before = {cell.x + kSteps[direction].x,
+                         cell.y + kSteps[direction].y};
+    // Few cells have the right length.
+    if (LengthTo(before) == length - StepLength(direction) &&
+        IsOpen(cell, direction)) {
+      return direction;
+    }
+  }
 }
 
 void BlockSearch::TracePath(const Cell& start, JumpPointResult& result) const {
   result.is_found = true;
   result.cells = {goal_};
-  Length length = goal_length_;
+  BlockLength length = goal_length_;
+  int direction = 0;
   while (result.cells.back() != start) {
     const Cell cell = result.cells.back();
-    int direction = 0;
-    Cell before;
-    for (;; ++direction) {
-      assert(direction < kDirections);
-      const Length step = direction % 2 == 0 ? kBlockStraight : kBlockDiagonal;
-      before = {cell.x + kSteps[direction].x, cell.y + kSteps[direction].y};
-      if (IsOpen(cell, direction) && LengthTo(before) == length - step) {
-        length -= step;
-        break;
-      }
-    }
-    result.cells.push_back(before);
+    direction = DirectionBack(cell, length, direction);
+    length -= StepLength(direction);
+    result.cells.push_back(
+        {cell.x + kSteps[direction].x, cell.y + kSteps[direction].y});
     result.length += direction % 2 == 0 ? 1.0 : std::sqrt(2.0);
   }
   std::reverse(result.cells.begin(), result.cells.end());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
@@ -21,8 +22,6 @@ inline Lanes AllLanes(std::int16_t value) { return Lanes{} + value; }
 
 inline Lanes Greater(Lanes a, Lanes b) { return a > b ? a : b; }
 
-inline Lanes Lesser(Lanes a, Lanes b) { return a < b ? a : b; }
-
 /// a - b where that is more than 0, else 0. No lane of `a` or `b` is less than
 /// 0.
 inline Lanes LessBy(Lanes a, Lanes b) {
@@ -30,6 +29,19 @@ inline Lanes LessBy(Lanes a, Lanes b) {
   return (Lanes)_mm_subs_epu16((__m128i)a, (__m128i)b);
 #else
   return Greater(a - b, Lanes{});
+#endif
+}
+
+/// a + b, or the type's limit where that is beyond it.
+inline Lanes SumUpToMost(Lanes a, Lanes b) {
+#ifdef __SSE2__
+  return (Lanes)_mm_adds_epi16((__m128i)a, (__m128i)b);
+#else
+  using Unsigned = std::uint16_t __attribute__((vector_size(16)));
+  const Lanes sum = (Lanes)((Unsigned)a + (Unsigned)b);
+  const Lanes limit = (a >> 15) ^ std::numeric_limits<std::int16_t>::max();
+  // Too far when the sum's sign is neither's.
+  return ((a ^ sum) & (b ^ sum)) < 0 ? limit : sum;
 #endif
 }
 
@@ -52,6 +64,22 @@ inline Lanes ShiftedDown(Lanes v) {
 #endif
 }
 
+inline Lanes ShiftedUpByTwo(Lanes v) {
+#ifdef __SSE2__
+  return (Lanes)_mm_slli_si128((__m128i)v, 4);
+#else
+  return __builtin_shuffle(v, Lanes{}, Lanes{8, 9, 0, 1, 2, 3, 4, 5});
+#endif
+}
+
+inline Lanes ShiftedDownByTwo(Lanes v) {
+#ifdef __SSE2__
+  return (Lanes)_mm_srli_si128((__m128i)v, 4);
+#else
+  return __builtin_shuffle(v, Lanes{}, Lanes{2, 3, 4, 5, 6, 7, 8, 9});
+#endif
+}
+
 inline bool AnySet(Lanes v) {
 #ifdef __SSE2__
   return _mm_movemask_epi8(_mm_cmpeq_epi8((__m128i)v, _mm_setzero_si128())) !=
@@ -60,6 +88,19 @@ inline bool AnySet(Lanes v) {
   using Words = std::uint64_t __attribute__((vector_size(16)));
   const Words words = (Words)v;
   return (words[0] | words[1]) != 0;
+#endif
+}
+
+/// Four whole numbers of 32 bits.
+using WideLanes = std::int32_t __attribute__((vector_size(16)));
+
+/// A bit per lane, set where it is negative.
+inline unsigned SignBits(WideLanes v) {
+#ifdef __SSE2__
+  return static_cast<unsigned>(_mm_movemask_ps((__m128)v));
+#else
+  const WideLanes bits = (v >> 31) & WideLanes{1, 2, 4, 8};
+  return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
 #endif
 }
 

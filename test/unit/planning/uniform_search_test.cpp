@@ -17,14 +17,22 @@
 namespace vfh_astar {
 namespace {
 
-/// The two searches that must agree, and the one that chooses between them.
+/// As on a processor without AVX2.
+class BaselineBlockSearch : public BlockSearch {
+ public:
+  BaselineBlockSearch(int width, int height)
+      : BlockSearch(width, height, BaselineBlockKernel()) {}
+};
+
+/// The searches that must agree, and the one that chooses between them.
 template <typename Search>
 class UniformCost : public testing::Test {
  protected:
   static Search SearchOn(const OccupancyGrid& map);
 };
 
-using Searches = testing::Types<JumpPointSearch, BlockSearch, UniformSearch>;
+using Searches = testing::Types<JumpPointSearch, BlockSearch,
+                                BaselineBlockSearch, UniformSearch>;
 TYPED_TEST_SUITE(UniformCost, Searches);
 
 template <typename Search>
@@ -70,7 +78,9 @@ double Dijkstra(const OccupancyGrid& map, const Cell& start, const Cell& goal) {
 
 template <typename Search>
 bool IsDecided(const Search& search) {
-  if constexpr (std::is_same_v<Search, BlockSearch>) return search.is_decided();
+  if constexpr (std::is_base_of_v<BlockSearch, Search>) {
+    return search.is_decided();
+  }
   return true;
 }
 
