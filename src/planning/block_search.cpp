@@ -121,9 +121,8 @@ JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
 
 int BlockSearch::DirectionBack(const Cell& cell, BlockLength length,
                                int preferred) const {
-  for (int i = 0;; ++i) {
-    assert(i < kDirections);
-    const int direction = (preferred + i) % kDirections;
+  for (const int turn : kTurns) {
+    const int direction = (preferred + turn) % kDirections;
     const Cell before = {cell.x + kSteps[direction].x,
                          cell.y + kSteps[direction].y};
     // Few cells have the right length.
@@ -132,6 +131,8 @@ int BlockSearch::DirectionBack(const Cell& cell, BlockLength length,
       return direction;
     }
   }
+  assert(false);
+  return 0;
 }
 
 void BlockSearch::TracePath(const Cell& start, JumpPointResult& result) const {

@@ -146,7 +146,7 @@ std::optional<int> CostBlockSearch::StepTo(const Cell& cell, StepCost cost,
                                            int preferred, const CostMap& costs,
                                            const PassageCheck& passages) const {
   const bool is_tight = costs[cell] >= passages.TightLevel(costs);
-  for (const int turn : {0, 1, 7, 2, 6, 3, 5, 4}) {
+  for (const int turn : kTurns) {
     const int direction = (preferred + turn) % kDirections;
     const Cell& step = kSteps[direction];
     const Cell from{cell.x - step.x, cell.y - step.y};

@@ -21,12 +21,13 @@ bool UniformSearch::IsScattered(const Cell& start, const Cell& goal) const {
   int alone = 0;
   for (int i = 1; i <= steps; ++i) {
     const double part = static_cast<double>(i) / steps;
-    alone += StandsAlone({start.x + static_cast<int>(part * dx),
-                          start.y + static_cast<int>(part * dy)})
-                 ? 1
-                 : 0;
+    if (StandsAlone({start.x + static_cast<int>(part * dx),
+                     start.y + static_cast<int>(part * dy)})) {
+      ++alone;
+    }
+    if (alone > kManyAlone * steps) return true;
   }
-  return alone > kManyAlone * steps;
+  return false;
 }
 
 }  // namespace vfh_astar

@@ -20,6 +20,10 @@ inline constexpr int kDirections = 8;
 inline constexpr std::array<Cell, kDirections> kSteps = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
+/// From one direction to the others, the nearest ones first.
+inline constexpr std::array<int, kDirections> kTurns = {
+    {0, 1, 7, 2, 6, 3, 5, 4}};
+
 enum class UnknownSpace { kForbidden, kFree, kPriced };
 
 /// What a metre of path costs, by clearance.
