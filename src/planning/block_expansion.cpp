@@ -32,7 +32,7 @@ void BlockSearch::Expand(Block& block) {
     for (unsigned left = news.is_opened; left != 0; left &= left - 1) {
       const int edge = __builtin_ctz(left);
       beside[edge]->key = news.keys[edge];
-      open_.Push(news.keys[edge], beside[edge]);
+      Push(*beside[edge]);
     }
   } else {
     PushEdgesByCell(block, offers);

@@ -10,9 +10,10 @@
 namespace vfh_astar {
 namespace {
 
-// A cell and a quarter per bucket: wider ones let blocks go ahead of shorter
-// ways and be looked at again, narrower ones gain nothing more.
-constexpr int kBucketBits = 9;
+// Bands of ten cells, and in them steps of two and a half: narrower ones let
+// blocks be looked at again, wider ones let them be looked at in vain.
+constexpr int kBandBits = 12;
+constexpr int kOrderBits = 10;
 
 constexpr int kSide = kBlockSide;
 
@@ -26,8 +27,9 @@ BlockSearch::BlockSearch(int width, int height, const BlockKernel& kernel)
     : kernel_(&kernel),
       stride_((width + kSide - 1) / kSide + 2),
       blocks_(stride_ * ((height + kSide - 1) / kSide + 2)),
-      // Lengths in a block differ by less than 16 bits, and so do estimates.
-      open_(kBucketBits, 2 << 16) {
+      // Lengths in a block differ by less than 15 bits, estimates by little
+      // more, and those of a band by less than 16 from its beginning.
+      open_(kBandBits, kOrderBits, 2 << 16, 1 << 20) {
   assert(0 < width && width < 32000 && 0 < height && height < 32000);
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const auto place = static_cast<std::ptrdiff_t>(i);
@@ -108,8 +110,8 @@ JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
     least_key_ = open_.LeastKey();
     if (least_key_ >= goal_length_) break;
     Block& block = *open_.Pop();
-    // Opened twice and done already, or too far.
-    if (block.key >= goal_length_) continue;
+    // Opened twice and done already, or to be done later; or too far.
+    if (block.key >= std::min(open_.EndOfBand(), goal_length_)) continue;
     block.key = kNoLength;
     ++result.nodes_expanded;
     Expand(block);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "vfh_astar/grid/grid.h"
+#include "vfh_astar/planning/band_queue.h"
 #include "vfh_astar/planning/block_lengths.h"
-#include "vfh_astar/planning/bucket_queue.h"
 #include "vfh_astar/planning/jump_point_search.h"
 
 namespace vfh_astar {
@@ -20,11 +20,12 @@ namespace vfh_astar {
 ///
 /// A* whose open nodes are blocks. A block is open when its neighbours have
 /// found shorter ways to cells at its edge, and leaves the queue by the least
-/// estimate among these. Then the lengths in all of its cells are brought up to
-/// date, sixteen at a time (with AVX2, else eight), and what has become shorter
-/// goes on to its neighbours. So a block is looked at about twice instead of
-/// its cells one by one. The search is over when no open block can make the
-/// goal's length less. Blocked cells may change at any time.
+/// estimate among these and, where estimates are much the same, by length. Then
+/// the lengths in all of its cells are brought up to date, sixteen at a time
+/// (with AVX2, else eight), and what has become shorter goes on to its
+/// neighbours. So a block is looked at less than twice instead of its cells one
+/// by one. The search is over when no open block can make the goal's length
+/// less. Blocked cells may change at any time.
 class BlockSearch {
  public:
   /// A map of free cells.
@@ -76,6 +77,11 @@ class BlockSearch {
   void PushCorners(Block& block, unsigned is_news);
   void PushCell(const Block& from, Block& to, const Cell& cell, int below);
   void Open(Block& block, BlockLength estimate);
+  /// Puts a block with a new key into the queue.
+  void Push(Block& block) {
+    // The ceiling stands for the length.
+    open_.Push(block.key, block.ceiling, &block);
+  }
   void Drop(BlockLength estimate) {
     dropped_estimate_ = std::min(dropped_estimate_, estimate);
   }
@@ -90,7 +96,7 @@ class BlockSearch {
   const BlockKernel* kernel_;
   std::ptrdiff_t stride_;  ///< blocks in a row, with a border of blocked ones.
   std::vector<Block> blocks_;
-  BucketQueue<Block*> open_;
+  BandQueue<Block*> open_;
   std::uint32_t generation_ = 0;
   // Of the present search:
   Cell goal_;
@@ -109,7 +115,7 @@ inline BlockLength BlockSearch::Heuristic(const Cell& cell) const {
 inline void BlockSearch::Open(Block& block, BlockLength estimate) {
   if (estimate >= goal_length_ || estimate >= block.key) return;
   block.key = estimate;
-  open_.Push(estimate, &block);
+  Push(block);
 }
 
 }  // namespace vfh_astar

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace vfh_astar {
@@ -36,7 +37,9 @@ class BucketQueue {
 
   bool empty() const { return size_ == 0; }
 
-  /// No greater key may be pushed now.
+  /// No smaller key may be pushed now,
+  std::uint32_t SmallestKey() const { return current_ << width_bits_; }
+  /// and no greater one.
   std::uint32_t GreatestKey() const {
     return (current_ + static_cast<std::uint32_t>(buckets_.size()) - 1)
            << width_bits_;
@@ -62,6 +65,15 @@ class BucketQueue {
     Front().pop_back();
     --size_;
     return entry;
+  }
+
+  /// Takes all entries of the bucket of LeastKey, which has been called since
+  /// the last change. Its keys may be pushed again.
+  /// @param[out] entries
+  void PopBucket(std::vector<Entry>& entries) {
+    entries.clear();
+    std::swap(entries, Front());
+    size_ -= entries.size();
   }
 
  private:

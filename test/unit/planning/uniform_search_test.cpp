@@ -184,6 +184,36 @@ TYPED_TEST(UniformCost, IsAsShortAsDijkstra) {
   EXPECT_LT(undecided, 30);
 }
 
+// Far enough for the search to pass through many bands of its queue.
+TEST(BlockSearch, IsAsShortAsJumpPointsAcrossAFieldOfScatteredCells) {
+  constexpr int kSide = 400;
+  std::mt19937 random(23);
+  BlockSearch by_block(kSide, kSide);
+  JumpPointSearch jumping(kSide, kSide);
+  std::vector<Cell> free;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const bool is_blocked = random() % 4 == 0;
+      by_block.SetBlocked({x, y}, is_blocked);
+      jumping.SetBlocked({x, y}, is_blocked);
+      if (!is_blocked) free.push_back({x, y});
+    }
+  }
+  int found = 0;
+  for (int query = 0; query < 40; ++query) {
+    const Cell start = free[random() % free.size()];
+    const Cell goal = free[random() % free.size()];
+    const JumpPointResult expected = jumping.Run(start, goal);
+    const JumpPointResult result = by_block.Run(start, goal);
+    ASSERT_TRUE(by_block.is_decided());
+    ASSERT_EQ(result.is_found, expected.is_found);
+    if (!result.is_found) continue;
+    ++found;
+    ASSERT_NEAR(result.length, expected.length, 1e-3);
+  }
+  EXPECT_GT(found, 20);
+}
+
 /// Lanes between walls, with a gap at the one end and the other by turns.
 OccupancyGrid Comb(int width, int height) {
   GridGeometry geometry;
