@@ -88,7 +88,8 @@ inline bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
 inline BlockLength BlockSearch::LengthTo(const Cell& cell) const {
   const Block& block = blocks_[IndexOfBlock(cell)];
   if (block.generation != generation_) return kNoLength;
-  const std::int16_t below = block.row(cell.y % kSide)[cell.x % kSide];
+  const std::int16_t below =
+      block.row(cell.y & (kSide - 1))[cell.x & (kSide - 1)];
   return below == 0 ? kNoLength : block.ceiling - below;
 }
 

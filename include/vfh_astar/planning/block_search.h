@@ -53,8 +53,10 @@ class BlockSearch {
 
   /// @param[in] cell of the map or beside it.
   std::size_t IndexOfBlock(const Cell& cell) const {
-    return static_cast<std::size_t>((cell.y + 8) / 8) * stride_ +
-           (cell.x + 8) / 8;
+    // Without a sign, to divide is to shift.
+    const auto x = static_cast<unsigned>(cell.x + kBlockSide);
+    const auto y = static_cast<unsigned>(cell.y + kBlockSide);
+    return std::size_t{y / kBlockSide} * stride_ + x / kBlockSide;
   }
   bool IsOpen(const Cell& cell, int direction) const;
   bool IsFree(const Cell& cell) const;

@@ -25,7 +25,7 @@ class UniformSearch {
   /// @param[in] start, goal free cells of the map.
   JumpPointResult Run(const Cell& start, const Cell& goal) {
     if (IsScattered(start, goal)) {
-      const JumpPointResult result = by_block_.Run(start, goal);
+      JumpPointResult result = by_block_.Run(start, goal);
       if (by_block_.is_decided()) return result;
     }
     return jumping_.Run(start, goal);
