@@ -13,6 +13,9 @@
 #include <immintrin.h>
 #endif
 
+// In one function, what its parts hand on stays in registers.
+#define VFH_ASTAR_INLINE __attribute__((always_inline)) inline
+
 namespace vfh_astar {
 
 // The kernel is compiled twice, over what the file before it has for the
