@@ -80,19 +80,22 @@ class RunStore:
 
     def load(self) -> Dict[int, dict]:
         """{the run's place in the set: its result}"""
-        if not os.path.exists(self._file):
-            return {}
-        with open(self._file, "r+b") as content:
-            lines = content.read()
-            # The last line may have been cut off; the next has to stand alone.
-            whole = lines.rfind(b"\n") + 1
-            content.truncate(whole)
-        return dict(json.loads(line) for line in lines[:whole].splitlines())
+        return dict(json.loads(line)
+                    for line in self._whole_lines().splitlines())
 
     def add(self, place, result):
         os.makedirs(os.path.dirname(self._file), exist_ok=True)
-        with open(self._file, "a") as lines:
-            lines.write(json.dumps([place, result]) + "\n")
+        with open(self._file, "ab") as lines:
+            # The last line may have been cut off; this one has to stand alone.
+            lines.truncate(len(self._whole_lines()))
+            lines.write(json.dumps([place, result]).encode() + b"\n")
+
+    def _whole_lines(self):
+        if not os.path.exists(self._file):
+            return b""
+        with open(self._file, "rb") as content:
+            lines = content.read()
+        return lines[:lines.rfind(b"\n") + 1]
 
     def clear(self):
         if os.path.exists(self._file):
