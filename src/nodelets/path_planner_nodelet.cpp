@@ -173,13 +173,14 @@ class PathPlannerNodelet : public nodelet::Nodelet {
   ros::Publisher plan_publisher_;
   ros::Publisher failure_publisher_;
   ros::Publisher inflated_publisher_;
+  std::unique_ptr<PlanningThread> planning_;
+  // Their callbacks need what stands above.
   std::unique_ptr<MapSubscription> map_subscription_;
   ros::Subscriber query_subscriber_;
   ros::CallbackQueue service_queue_;
   std::vector<ros::ServiceServer> services_;
   std::unique_ptr<ros::AsyncSpinner> service_spinner_;
   ros::Timer inflated_timer_;
-  std::unique_ptr<PlanningThread> planning_;
 };
 
 }  // namespace vfh_astar

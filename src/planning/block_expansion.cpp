@@ -91,8 +91,8 @@ void BlockSearch::PushCell(const Block& from, Block& to, const Cell& cell,
     below_to = kFirstBelow;
   }
   std::int16_t* const row =
-      reinterpret_cast<std::int16_t*>(&to.row(cell.y % kSide));
-  std::int16_t& known = row[cell.x % kSide];
+      reinterpret_cast<std::int16_t*>(&to.row(InBlock(cell.y)));
+  std::int16_t& known = row[InBlock(cell.x)];
   if (known != 0 && below_to <= known) return;
   if (below_to < kLeastBelow) {
     Drop(estimate);

@@ -42,14 +42,14 @@ BlockSearch::BlockSearch(int width, int height, const BlockKernel& kernel)
 }
 
 inline bool BlockSearch::IsFree(const Cell& cell) const {
-  const int bit = kSide * (cell.y & (kSide - 1)) + (cell.x & (kSide - 1));
+  const int bit = kSide * InBlock(cell.y) + InBlock(cell.x);
   return (blocks_[IndexOfBlock(cell)].free_rows >> bit & 1) != 0;
 }
 
 void BlockSearch::SetBlocked(const Cell& cell, bool is_blocked) {
   Block& block = blocks_[IndexOfBlock(cell)];
-  const int x = cell.x % kSide;
-  const int y = cell.y % kSide;
+  const int x = InBlock(cell.x);
+  const int y = InBlock(cell.y);
   const std::uint64_t in_row = std::uint64_t{1} << (kSide * y + x);
   const std::uint64_t in_column = std::uint64_t{1} << (kSide * x + y);
   if (is_blocked) {
@@ -88,8 +88,7 @@ inline bool BlockSearch::IsOpen(const Cell& cell, int direction) const {
 inline BlockLength BlockSearch::LengthTo(const Cell& cell) const {
   const Block& block = blocks_[IndexOfBlock(cell)];
   if (block.generation != generation_) return kNoLength;
-  const std::int16_t below =
-      block.row(cell.y & (kSide - 1))[cell.x & (kSide - 1)];
+  const std::int16_t below = block.row(InBlock(cell.y))[InBlock(cell.x)];
   return below == 0 ? kNoLength : block.ceiling - below;
 }
 
@@ -102,7 +101,7 @@ JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
   open_.Restart(Heuristic(start));
   Block& first = blocks_[IndexOfBlock(start)];
   first.Enter(0, generation_);
-  first.row(start.y % kSide)[start.x % kSide] = kFirstBelow;
+  first.row(InBlock(start.y))[InBlock(start.x)] = kFirstBelow;
   Open(first, Heuristic(start));
 
   const Block& last = blocks_[IndexOfBlock(goal)];

@@ -17,9 +17,6 @@ constexpr int kBucketBits = 11;
 // Estimates that exceed the least one by more wait in the last bucket.
 constexpr StepCost kSpan = 256 * kFreeStep;
 
-// A line of the processor's cache.
-constexpr std::size_t kAlignment = 64;
-
 }  // namespace
 
 CostBlockSearch::CostBlockSearch()
@@ -31,14 +28,12 @@ void CostBlockSearch::Prepare(const CostMap& costs) {
     blocks_per_row_ = costs.stride() / kSide;
     // With blocks around those of the map, whose neighbours they are.
     const std::size_t count = blocks_per_row_ * (costs.rows() / kSide + 2) + 2;
-    std::size_t size = count * sizeof(CostBlock) + kAlignment;
     // Zeroed pages come from the system when they are first written, so a
     // large map costs no more than the part of it that is searched.
-    memory_.reset(std::calloc(size, 1));
-    void* first = memory_.get();
-    if (!first) throw std::bad_alloc();
-    std::align(kAlignment, count * sizeof(CostBlock), first, size);
-    blocks_ = static_cast<CostBlock*>(first) + blocks_per_row_ + 1;
+    memory_.reset(
+        static_cast<CostBlock*>(std::calloc(count, sizeof(CostBlock))));
+    if (!memory_) throw std::bad_alloc();
+    blocks_ = memory_.get() + blocks_per_row_ + 1;
     generation_ = 0;
   }
   geometry_ = costs.geometry();
@@ -46,7 +41,10 @@ void CostBlockSearch::Prepare(const CostMap& costs) {
 }
 
 inline CostBlock& CostBlockSearch::BlockOf(const Cell& cell) const {
-  return blocks_[(cell.y + 1) / kSide * blocks_per_row_ + (cell.x + 1) / kSide];
+  // Without a sign, to divide is to shift.
+  const auto x = static_cast<unsigned>(cell.x + 1);
+  const auto y = static_cast<unsigned>(cell.y + 1);
+  return blocks_[y / kSide * blocks_per_row_ + x / kSide];
 }
 
 inline StepCost CostBlockSearch::CostTo(const Cell& cell) const {
@@ -111,6 +109,7 @@ std::optional<SearchResult> CostBlockSearch::Run(
   Prepare(costs);
   goal_ = goal;
   goal_cost_ = kUnreached;
+  tight_level_ = passages.TightLevel(costs);
   const StepCost first_key = FreeCost(start, goal);
   open_.Restart(first_key);
   CostBlock& first = BlockOf(start);
@@ -145,7 +144,7 @@ std::optional<SearchResult> CostBlockSearch::Run(
 std::optional<int> CostBlockSearch::StepTo(const Cell& cell, StepCost cost,
                                            int preferred, const CostMap& costs,
                                            const PassageCheck& passages) const {
-  const bool is_tight = costs[cell] >= passages.TightLevel(costs);
+  const bool is_tight = costs[cell] >= tight_level_;
   for (const int turn : kTurns) {
     const int direction = (preferred + turn) % kDirections;
     const Cell& step = kSteps[direction];

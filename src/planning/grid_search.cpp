@@ -25,7 +25,7 @@ constexpr StepCost kFarthest = kUnreached / 2 - kLongestStep;
 constexpr int kBucketBits = 8;
 
 // Expansions between two looks at the cancel flag, well under 10 ms.
-constexpr std::int64_t kPollMask = 1023;
+constexpr std::int64_t kPollMask = 127;
 
 constexpr std::uint64_t kGenerations = 1 << 24;
 

@@ -29,16 +29,18 @@ void PlanningThread::Leave(Change change) {
   wake_.notify_one();
 }
 
-void PlanningThread::SetMap(const OccupancyGrid& map) {
+void PlanningThread::SetMap(OccupancyGrid map) {
   Leave([&map](Desk& desk) {
-    desk.map = map;
+    desk.map = std::move(map);
     desk.windows.clear();
   });
 }
 
 void PlanningThread::UpdateMap(const cv::Rect& window,
-                               const std::vector<std::int8_t>& values) {
-  Leave([&](Desk& desk) { desk.windows.push_back({window, values}); });
+                               std::vector<std::int8_t> values) {
+  Leave([&](Desk& desk) {
+    desk.windows.push_back({window, std::move(values)});
+  });
 }
 
 void PlanningThread::Request(const PlanRequest& request, TakeResult take) {

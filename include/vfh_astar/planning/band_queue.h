@@ -2,6 +2,7 @@
 #define VFH_ASTAR_PLANNING_BAND_QUEUE_H_
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -39,6 +40,7 @@ class BandQueue {
   bool empty() const { return now_.empty() && later_.empty(); }
 
   void Push(std::uint32_t key, std::uint32_t order, const Entry& entry) {
+    assert(key >> band_bits_ >= band_);
     if (key >> band_bits_ > band_) {
       later_.Push(key, {entry, order});
     } else {

@@ -25,7 +25,8 @@ namespace vfh_astar {
 /// (with AVX2, else eight), and what has become shorter goes on to its
 /// neighbours. So a block is looked at less than twice instead of its cells one
 /// by one. The search is over when no open block can make the goal's length
-/// less. Blocked cells may change at any time.
+/// less. Blocked cells may change at any time. Ways of ten million cells are
+/// too long for its numbers.
 class BlockSearch {
  public:
   /// A map of free cells.
@@ -58,6 +59,8 @@ class BlockSearch {
     const auto y = static_cast<unsigned>(cell.y + kBlockSide);
     return std::size_t{y / kBlockSide} * stride_ + x / kBlockSide;
   }
+  /// A coordinate of a cell, counted from its block's first one.
+  static int InBlock(int coordinate) { return coordinate & (kBlockSide - 1); }
   bool IsOpen(const Cell& cell, int direction) const;
   bool IsFree(const Cell& cell) const;
   /// Notes whether a diagonal step leads through the corner at which four

@@ -24,8 +24,8 @@ struct CostBlock {
   Line west;  ///< column 0 and
   Line east;  ///< the last one, with what has come from the blocks beside since
               ///< `rows` was brought up to date.
-  StepCost
-      key;  ///< the least estimate of what is new, if any, else kUnreached.
+  /// The least estimate of what is new, if anything is, else kUnreached.
+  StepCost key;
   std::uint32_t generation;  ///< of the search that wrote it.
 
   void Clear(std::uint32_t generation_now) {

@@ -20,9 +20,9 @@ namespace vfh_astar {
 ///
 /// A* whose open nodes are blocks of 8 x 8 cells, as BlockSearch is, over a
 /// cost map. It takes for granted that the robot's rectangle fits at every
-/// step, and asks only along the path it has found. Where a path of that cost
-/// has a step at which the rectangle does not fit, a dearer path may be the
-/// best one, and the question is left open.
+/// step, and asks only along the path it has found: among steps of equal cost
+/// it takes one at which the rectangle fits. Where there is none, another path
+/// may be the best one, and the question is left open.
 ///
 /// Its memory is five bytes per cell of the map, taken from the system as the
 /// search first reaches them and kept. A search costs by the cells it looks at,
@@ -35,8 +35,9 @@ class CostBlockSearch {
   bool is_supported() const { return expand_ != nullptr; }
 
   /// As that of GridSearch; only where is_supported().
-  /// @return kFound or kCancelled, its nodes are blocks; nothing when there is
-  ///   no path, or none of the least cost along which the rectangle fits.
+  /// @return kFound or kCancelled, its nodes are blocks; nothing when it has
+  ///   found no path along which the rectangle fits, or none that costs less
+  ///   than CostBlock::kUnreached.
   std::optional<SearchResult> Run(const CostMap& costs,
                                   const PassageCheck& passages,
                                   const Cell& start, const Cell& goal,
@@ -44,7 +45,7 @@ class CostBlockSearch {
 
  private:
   struct Free {
-    void operator()(void* memory) const { std::free(memory); }
+    void operator()(CostBlock* blocks) const { std::free(blocks); }
   };
 
   void Prepare(const CostMap& costs);
@@ -70,13 +71,14 @@ class CostBlockSearch {
   ExpandCostBlock expand_;
   GridGeometry geometry_;
   std::ptrdiff_t blocks_per_row_ = 0;
-  std::unique_ptr<void, Free> memory_;
+  std::unique_ptr<CostBlock, Free> memory_;
   CostBlock* blocks_ = nullptr;  ///< the map's; more of them lie around it.
   std::uint32_t generation_ = 0;
   BucketQueue<CostBlock*> open_;
   // Of the present search:
   Cell goal_;
   StepCost goal_cost_ = 0;
+  int tight_level_ = 0;
 };
 
 }  // namespace vfh_astar

@@ -65,7 +65,7 @@ struct PlanResult {
   bool kept = false;                  ///< the path is the previous one, from
                                       ///< where the robot is on it.
   double cost = 0.0;                  ///< m, weighted.
-  std::int64_t nodes_expanded = 0;
+  std::int64_t nodes_expanded = 0;    ///< see SearchResult.
 };
 
 /// A* over the inflated map. One thread at a time; a caller that plans beside

@@ -19,8 +19,8 @@
 namespace vfh_astar {
 
 /// A PathPlanner in a thread of its own, so that no search makes a caller wait
-/// who does not want to. Idle, it waits and costs nothing. May be called from
-/// any thread.
+/// who does not want to. Idle, it waits and costs nothing. All but Close may be
+/// called from any thread.
 ///
 /// A request by who drives cuts short whatever is being planned. Others are
 /// answered by the same planner while no request waits: a plan takes
@@ -33,16 +33,16 @@ class PlanningThread {
   explicit PlanningThread(const PathPlannerParameters& parameters);
   ~PlanningThread();
 
-  void SetMap(const OccupancyGrid& map);
+  void SetMap(OccupancyGrid map);
 
   /// See PathPlanner::UpdateMap.
-  void UpdateMap(const cv::Rect& window,
-                 const std::vector<std::int8_t>& values);
+  void UpdateMap(const cv::Rect& window, std::vector<std::int8_t> values);
 
   /// Takes the place of the request before it. Keeps to the path that was found
   /// for the last one, in place of what `request` has as its previous path.
-  /// @param[in] take called in the planning thread, unless another request has
-  ///   come meanwhile.
+  /// @param[in] take called in the planning thread; not when another request
+  /// has
+  ///   come before the plan is made.
   void Request(const PlanRequest& request, TakeResult take);
 
   /// Waits for the plan, and for requests that come before it is made.
@@ -53,7 +53,8 @@ class PlanningThread {
   void InflateMap(TakeMap take);
 
   /// Ends the thread. Whoever waits in Plan is answered at once, and so are
-  /// those who come later; nothing else is taken any more.
+  /// those who come later; requests are dropped. For who owns this object, in a
+  /// thread of its own: the others keep to the rest.
   void Close();
 
  private:

@@ -33,6 +33,12 @@ PlanRequest Between(const Pose2D& start, const Pose2D& goal) {
   return request;
 }
 
+/// To read a large one takes longer than the tests below wait.
+void WaitTillItHasTheMap(PlanningThread& planning) {
+  ASSERT_EQ(planning.Plan(Between({1, 1, 0}, {2, 2, 0})).outcome,
+            Outcome::kSuccess);
+}
+
 /// What comes in another thread.
 class Answer {
  public:
@@ -103,6 +109,7 @@ TEST(PlanningThread, ANewerRequestCutsShortTheOneBefore) {
   constexpr int kSide = 3000;
   PlanningThread planning(PathPlannerParameters{});
   planning.SetMap(MapWithLockedCorner(kSide));
+  WaitTillItHasTheMap(planning);
   std::atomic<bool> is_first_answered{false};
   planning.Request(Between({1, 1, 0}, {298, 298, 0}),
                    [&](const PlanResult&) { is_first_answered = true; });
@@ -115,14 +122,18 @@ TEST(PlanningThread, ANewerRequestCutsShortTheOneBefore) {
 
 TEST(PlanningThread, AQuestionMakesWayAndIsAnsweredLater) {
   PlanningThread planning(PathPlannerParameters{});
-  planning.SetMap(MapWithLockedCorner(1000));
+  planning.SetMap(MapWithLockedCorner(3000));
+  WaitTillItHasTheMap(planning);
   std::future<PlanResult> question = std::async(std::launch::async, [&] {
-    return planning.Plan(Between({1, 1, 0}, {98, 98, 0}));
+    return planning.Plan(Between({1, 1, 0}, {298, 298, 0}));
   });
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 5; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
     Answer answer;
     planning.Request(Between({1, 1, 0}, {2, 2, 0}), answer.Taker());
     EXPECT_EQ(answer.Wait().outcome, Outcome::kSuccess);
+    EXPECT_NE(question.wait_for(std::chrono::seconds(0)),
+              std::future_status::ready);
   }
   EXPECT_EQ(question.get().outcome, Outcome::kNoPath);
 }
@@ -144,6 +155,7 @@ TEST(PlanningThread, InflatesTheMapItHas) {
 TEST(PlanningThread, AnswersWhoWaitsWhenItIsClosed) {
   PlanningThread planning(PathPlannerParameters{});
   planning.SetMap(MapWithLockedCorner(3000));
+  WaitTillItHasTheMap(planning);
   std::future<PlanResult> question = std::async(std::launch::async, [&] {
     return planning.Plan(Between({1, 1, 0}, {298, 298, 0}));
   });
