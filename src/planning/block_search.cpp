@@ -94,7 +94,10 @@ inline BlockLength BlockSearch::LengthTo(const Cell& cell) const {
 
 JumpPointResult BlockSearch::Run(const Cell& start, const Cell& goal) {
   assert(IsFree(start) && IsFree(goal));
-  ++generation_;
+  if (++generation_ == 0) {
+    for (Block& block : blocks_) block.generation = 0;
+    generation_ = 1;
+  }
   goal_ = goal;
   goal_length_ = kNoLength;
   dropped_estimate_ = kNoLength;

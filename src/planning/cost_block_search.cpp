@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <new>
+#include <utility>
 
 namespace vfh_astar {
 namespace {
@@ -23,7 +25,9 @@ CostBlockSearch::CostBlockSearch()
     : expand_(FindCostBlockExpansion()), open_(kBucketBits, kSpan) {}
 
 void CostBlockSearch::Prepare(const CostMap& costs) {
-  if (!memory_ || geometry_.width != costs.geometry().width ||
+  constexpr auto kLastGeneration = std::numeric_limits<std::uint32_t>::max();
+  if (!memory_ || generation_ == kLastGeneration ||
+      geometry_.width != costs.geometry().width ||
       geometry_.height != costs.geometry().height) {
     blocks_per_row_ = costs.stride() / kSide;
     // With blocks around those of the map, whose neighbours they are.
