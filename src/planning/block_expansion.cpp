@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "vfh_astar/planning/block_lengths.h"
 
@@ -28,7 +27,7 @@ void BlockSearch::Expand(Block& block) {
     news = kernel_->push(block, stride_, offers, frame);
   }
   if (news.fits) {
-    const std::array<Block*, kBlockEdges> beside = Beside(block);
+    const std::array<Block*, kBlockEdges> beside = BlocksBeside(block, stride_);
     for (unsigned left = news.is_opened; left != 0; left &= left - 1) {
       const int edge = __builtin_ctz(left);
       beside[edge]->key = news.keys[edge];
@@ -41,7 +40,7 @@ void BlockSearch::Expand(Block& block) {
 }
 
 void BlockSearch::MakeRoom(Block& block, const EdgeOffers& offers) {
-  const std::array<Block*, kBlockEdges> beside = Beside(block);
+  const std::array<Block*, kBlockEdges> beside = BlocksBeside(block, stride_);
   for (int edge = 0; edge < kBlockEdges; ++edge) {
     Block& to = *beside[edge];
     const int greatest = GreatestLane(offers.lanes[edge]);
@@ -52,7 +51,7 @@ void BlockSearch::MakeRoom(Block& block, const EdgeOffers& offers) {
 }
 
 void BlockSearch::PushEdgesByCell(Block& block, const EdgeOffers& offers) {
-  const std::array<Block*, kBlockEdges> beside = Beside(block);
+  const std::array<Block*, kBlockEdges> beside = BlocksBeside(block, stride_);
   const Cell first[] = {{block.x, block.y - 1},
                         {block.x, block.y + kSide},
                         {block.x - 1, block.y},

@@ -18,12 +18,13 @@
 
 namespace vfh_astar {
 
-// The kernel is compiled twice, over what the file before it has for the
-// processor.
+// The kernel is compiled twice, over what the first file has for the processor.
 namespace baseline {
 #include "lane_pairs.inc"
 
-#include "block_lengths_kernel.inc"
+#include "block_relaxation.inc"
+
+#include "block_edges.inc"
 }  // namespace baseline
 
 #ifdef VFH_ASTAR_HAS_AVX2_VERSION
@@ -32,7 +33,9 @@ namespace baseline {
 namespace avx2 {
 #include "lane_pairs_avx2.inc"
 
-#include "block_lengths_kernel.inc"
+#include "block_relaxation.inc"
+
+#include "block_edges.inc"
 }  // namespace avx2
 #pragma GCC pop_options
 #endif

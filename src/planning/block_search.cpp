@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "vfh_astar/planning/block_lengths.h"
-#include "vfh_astar/planning/cost_map.h"
 
 namespace vfh_astar {
 namespace {

@@ -115,7 +115,7 @@ inline CostLanes HeuristicOf(int along, int across) {
   const auto a = (CostLanes)(ahead < 0 ? -ahead : ahead);
   const CostLanes b = AllLanes(std::abs(across));
   const CostLanes lesser = Lesser(a, b);
-  return (a + b - lesser) * kFreeStep + lesser * kFreeDetour;
+  return (a + b - lesser) * kFreeStep + lesser * (kFreeDiagonal - kFreeStep);
 }
 
 /// @param[in,out] known costs of the line of cells that offers are made to.

@@ -14,7 +14,7 @@ constexpr StepCost kUnreached = std::numeric_limits<StepCost>::max();
 
 // The most that one step adds to the cost and to the heuristic together.
 constexpr StepCost kLongestStep =
-    2 * CostMap::kMaxLevel * kDiagonal + kFreeStep + kFreeDetour;
+    2 * CostMap::kMaxLevel * kDiagonal + kFreeDiagonal;
 
 // Costs beyond this would run over; at 0.05 m per cell it is a hundred
 // kilometres of free path.

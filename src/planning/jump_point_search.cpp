@@ -97,10 +97,7 @@ void JumpPointSearch::SetBlocked(const Cell& cell, bool is_blocked) {
 }
 
 JumpPointSearch::Length JumpPointSearch::Heuristic(int x, int y) const {
-  const Length dx = std::abs(x - goal_.x);
-  const Length dy = std::abs(y - goal_.y);
-  return kStraightLength * std::max(dx, dy) +
-         (kDiagonalLength - kStraightLength) * std::min(dx, dy);
+  return OctileDistance({x, y}, goal_, kStraightLength, kDiagonalLength);
 }
 
 JumpPointResult JumpPointSearch::Run(const Cell& start, const Cell& goal) {

@@ -73,6 +73,12 @@ struct LengthBlock {
 
 inline constexpr int kBlockEdges = 4;  ///< south, north, west, east.
 
+/// @param[in] block in an array of rows of `stride` blocks.
+inline std::array<LengthBlock*, kBlockEdges> BlocksBeside(
+    LengthBlock& block, std::ptrdiff_t stride) {
+  return {&block - stride, &block + stride, &block - 1, &block + 1};
+}
+
 /// By edge, what steps from its cells lead to in those of the block beside.
 struct EdgeOffers {
   alignas(32) std::array<Lanes, kBlockEdges> lanes;

@@ -5,12 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "vfh_astar/grid/grid.h"
 #include "vfh_astar/planning/band_queue.h"
 #include "vfh_astar/planning/block_lengths.h"
+#include "vfh_astar/planning/cost_map.h"
 #include "vfh_astar/planning/jump_point_search.h"
 
 namespace vfh_astar {
@@ -71,9 +71,6 @@ class BlockSearch {
   /// The length to a cell; nothing (kNoLength) when no way has been found.
   BlockLength LengthTo(const Cell& cell) const;
 
-  std::array<Block*, kBlockEdges> Beside(Block& block) const {
-    return {&block - stride_, &block + stride_, &block - 1, &block + 1};
-  }
   void Expand(Block& block);
   /// Lowers the ceilings of the blocks beside as far as what is offered needs.
   void MakeRoom(Block& block, const EdgeOffers& offers);
@@ -111,10 +108,7 @@ class BlockSearch {
 };
 
 inline BlockLength BlockSearch::Heuristic(const Cell& cell) const {
-  const BlockLength dx = std::abs(cell.x - goal_.x);
-  const BlockLength dy = std::abs(cell.y - goal_.y);
-  return kBlockStraight * std::max(dx, dy) +
-         (kBlockDiagonal - kBlockStraight) * std::min(dx, dy);
+  return OctileDistance(cell, goal_, kBlockStraight, kBlockDiagonal);
 }
 
 inline void BlockSearch::Open(Block& block, BlockLength estimate) {

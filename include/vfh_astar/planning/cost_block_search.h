@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "vfh_astar/planning/bucket_queue.h"
 #include "vfh_astar/planning/cost_block.h"

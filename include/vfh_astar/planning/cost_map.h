@@ -20,6 +20,16 @@ inline constexpr int kDirections = 8;
 inline constexpr std::array<Cell, kDirections> kSteps = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
+/// The cost between two cells when all are free (octile distance).
+/// @param[in] straight, diagonal costs of steps.
+inline std::uint32_t OctileDistance(const Cell& from, const Cell& to,
+                                    std::uint32_t straight,
+                                    std::uint32_t diagonal) {
+  const std::uint32_t dx = std::abs(to.x - from.x);
+  const std::uint32_t dy = std::abs(to.y - from.y);
+  return straight * std::max(dx, dy) + (diagonal - straight) * std::min(dx, dy);
+}
+
 /// From one direction to the others, the nearest ones first.
 inline constexpr std::array<int, kDirections> kTurns = {
     {0, 1, 7, 2, 6, 3, 5, 4}};
@@ -108,6 +118,7 @@ using StepCost = std::uint32_t;
 inline constexpr StepCost kStraight = 70;
 inline constexpr StepCost kDiagonal = 99;
 inline constexpr StepCost kFreeStep = 2 * CostMap::kUnit * kStraight;
+inline constexpr StepCost kFreeDiagonal = 2 * CostMap::kUnit * kDiagonal;
 
 /// A step costs its length times the mean of its cells' factors.
 inline StepCost CostOfStep(CostMap::Level from, CostMap::Level to,
@@ -115,16 +126,9 @@ inline StepCost CostOfStep(CostMap::Level from, CostMap::Level to,
   return (StepCost{from} + to) * (direction % 2 == 0 ? kStraight : kDiagonal);
 }
 
-/// What a diagonal step between free cells costs more than a straight one.
-inline constexpr StepCost kFreeDetour =
-    2 * CostMap::kUnit * (kDiagonal - kStraight);
-
-/// The cost between cells this far apart if all cells were free, which is the
-/// heuristic of the searches (octile distance).
+/// The cost between two cells when all are free: the heuristic of the searches.
 inline StepCost FreeCost(const Cell& from, const Cell& to) {
-  const StepCost dx = std::abs(to.x - from.x);
-  const StepCost dy = std::abs(to.y - from.y);
-  return kFreeStep * std::max(dx, dy) + kFreeDetour * std::min(dx, dy);
+  return OctileDistance(from, to, kFreeStep, kFreeDiagonal);
 }
 
 }  // namespace vfh_astar

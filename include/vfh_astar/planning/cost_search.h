@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <optional>
+#include <utility>
 
 #include "vfh_astar/planning/cost_block_search.h"
 #include "vfh_astar/planning/cost_map.h"
@@ -21,9 +22,9 @@ class CostSearch {
                    const Cell& start, const Cell& goal,
                    const std::atomic<bool>* cancelled) {
     if (by_block_.is_supported()) {
-      const std::optional<SearchResult> result =
+      std::optional<SearchResult> result =
           by_block_.Run(costs, passages, start, goal, cancelled);
-      if (result) return *result;
+      if (result) return std::move(*result);
     }
     return by_cell_.Run(costs, passages, start, goal, cancelled);
   }

@@ -40,9 +40,8 @@ class PlanningThread {
 
   /// Takes the place of the request before it. Keeps to the path that was found
   /// for the last one, in place of what `request` has as its previous path.
-  /// @param[in] take called in the planning thread; not when another request
-  /// has
-  ///   come before the plan is made.
+  /// @param[in] take called in the planning thread, unless another request
+  ///   comes before the plan is made.
   void Request(const PlanRequest& request, TakeResult take);
 
   /// Waits for the plan, and for requests that come before it is made.

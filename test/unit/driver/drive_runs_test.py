@@ -116,6 +116,22 @@ class DriveRunsTest(unittest.TestCase):
         self.assertEqual(store.load(), {0: {"time_s": 1.5},
                                         2: {"time_s": 3.5}})
 
+    def test_reading_leaves_a_line_that_is_being_written(self):
+        store = self.store()
+        store.add(0, {"time_s": 1.5})
+        store.add(1, {"time_s": 2.5})
+        folder = os.path.join(self._folder.name, "store")
+        file = os.path.join(folder, os.listdir(folder)[0])
+        with open(file) as lines:
+            text = lines.read()
+        with open(file, "w") as lines:
+            lines.write(text[:-5])
+            lines.flush()
+            self.assertEqual(store.load(), {0: {"time_s": 1.5}})
+            lines.write(text[-5:])
+        self.assertEqual(store.load(), {0: {"time_s": 1.5},
+                                        1: {"time_s": 2.5}})
+
     def test_other_files_are_another_set(self):
         self.store().add(0, {})
         with open(self.config, "a") as content:

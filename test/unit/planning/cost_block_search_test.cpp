@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
