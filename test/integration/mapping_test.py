@@ -52,20 +52,27 @@ class _Belief:
         rospy.Subscriber("localization", LocalizationState, self._on_state)
 
     def _on_odometry(self, message):
-        self._odometry = message.pose.pose
+        self._odometry = message
 
     def _on_state(self, message):
         self.state = message
 
+    def is_newer_than(self, time):
+        """time: simulated s."""
+        return all(
+            message is not None and message.header.stamp.to_sec() > time
+            for message in (self._odometry, self.state))
+
     def pose(self):
         frame = self.state.map_from_odom
         yaw = yaw_of(frame.rotation)
-        position = self._odometry.position
+        odometry = self._odometry.pose.pose
+        position = odometry.position
         return (frame.translation.x + math.cos(yaw) * position.x
                 - math.sin(yaw) * position.y,
                 frame.translation.y + math.sin(yaw) * position.x
                 + math.cos(yaw) * position.y,
-                yaw + yaw_of(self._odometry.orientation))
+                yaw + yaw_of(odometry.orientation))
 
 
 class MappingTest(navigation_test_case.NavigationTestCase):
@@ -77,6 +84,12 @@ class MappingTest(navigation_test_case.NavigationTestCase):
         self.stem = os.path.join(self._folder.name, "map")
 
     def assert_knows_its_place(self, tolerance):
+        """The robot has to stand still."""
+        # Each topic comes at its own pace, some behind the clock.
+        now = rospy.get_time()
+        self.wait_simulated(
+            lambda: self.belief.is_newer_than(now)
+            and self.observer.last_pose.time > now, 20.0)
         pose, truth = self.belief.pose(), self.observer.last_pose
         self.assertLess(math.hypot(pose[0] - truth.x, pose[1] - truth.y),
                         tolerance)
@@ -145,9 +158,10 @@ class MappingTest(navigation_test_case.NavigationTestCase):
         while publisher.get_num_connections() == 0:
             self.sleep_simulated(0.1)
         publisher.publish(message)
-        self.sleep_simulated(1.0)
-        self.assertFalse(self.belief.state.lost)
+        self.wait_simulated(lambda: not self.belief.state.lost, 10.0)
+        self.sleep_simulated(2.0)  # as long as doubts would take
         self.assert_knows_its_place(0.1)
+        self.assertFalse(self.belief.state.lost)
 
 
 if __name__ == "__main__":
