@@ -20,7 +20,17 @@ if(VFH_ASTAR_NODELET_SOURCES)
   list(APPEND VFH_ASTAR_ROS_TARGETS ${PROJECT_NAME}_nodelets)
 endif()
 
+set(VFH_ASTAR_NAVIGATION_NODE_SOURCE
+  ${CMAKE_CURRENT_SOURCE_DIR}/src/nodes/navigation_node.cpp)
+add_executable(navigation_node ${VFH_ASTAR_NAVIGATION_NODE_SOURCE})
+target_include_directories(navigation_node SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
+target_link_libraries(navigation_node PRIVATE opencv_core)
+vfh_astar_use_ros(navigation_node)
+list(APPEND VFH_ASTAR_ROS_TARGETS navigation_node)
+
 file(GLOB VFH_ASTAR_SIMULATOR_NODE_SOURCES CONFIGURE_DEPENDS src/nodes/*.cpp)
+list(REMOVE_ITEM VFH_ASTAR_SIMULATOR_NODE_SOURCES
+  ${VFH_ASTAR_NAVIGATION_NODE_SOURCE})
 if(VFH_ASTAR_SIMULATOR_NODE_SOURCES)
   add_executable(simulator_node ${VFH_ASTAR_SIMULATOR_NODE_SOURCES})
   target_link_libraries(simulator_node

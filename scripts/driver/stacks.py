@@ -35,9 +35,7 @@ class Stack:
 
 def _vfh_astar(name, config):
     return Stack(name, ("vfh_astar",),
-                 ("navigation_manager", "grid_mapper", "path_planner",
-                  "trajectory_fitter", "navigator"),
-                 "plan", starts_at_zero=False,
+                 ("navigation_manager",), "plan", starts_at_zero=False,
                  launch_arguments={"stack": "vfh_astar",
                                    "config": os.path.join(_CONFIG, config)})
 

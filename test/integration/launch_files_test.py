@@ -35,14 +35,12 @@ class LaunchFilesTest(unittest.TestCase):
         scene = ["world:=w", "x:=1", "y:=2", "yaw:=3"]
         jackal = os.path.join(ROOT, "config", "jackal.yaml")
         clearpath = os.path.join(ROOT, "config", "move_base", "clearpath.yaml")
-        navigation = {"grid_mapper", "path_planner", "trajectory_fitter",
-                      "navigator"}
         own = node_names(file, scene + ["stack:=vfh_astar", "config:=" + jackal])
-        self.assertLessEqual(navigation | {"simulator"}, own)
+        self.assertLessEqual({"navigation_manager", "simulator"}, own)
         self.assertNotIn("move_base", own)
         other = node_names(file, scene + ["stack:=move_base", "config:=" + clearpath])
         self.assertLessEqual({"move_base", "slam_gmapping", "simulator"}, other)
-        self.assertFalse(navigation & other)
+        self.assertNotIn("navigation_manager", other)
 
     def test_each_robot_has_a_navigation_of_its_own(self):
         file = os.path.join(ROOT, "launch", "robots.launch")
@@ -50,7 +48,7 @@ class LaunchFilesTest(unittest.TestCase):
             [(file, ["names:=anna bert", "starts:=1,2,3 4,5,6"])], port=None,
             verbose=False)
         namespaces = {node.namespace for node in config.nodes
-                      if node.type == "nodelet"}
+                      if node.type == "navigation_node"}
         self.assertEqual(namespaces, {"/anna/", "/bert/"})
         for name, x in (("anna", 1.0), ("bert", 4.0)):
             def value(parameter):
