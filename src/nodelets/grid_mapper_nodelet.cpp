@@ -5,7 +5,6 @@
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 #include <tf2_ros/transform_broadcaster.h>
-#include <tf2_ros/transform_listener.h>
 #include <vfh_astar/LocalizationState.h>
 #include <vfh_astar/SaveMap.h>
 
@@ -103,9 +102,9 @@ class GridMapperNodelet : public nodelet::Nodelet {
 
   void Listen() {
     ros::NodeHandle& node = getNodeHandle();
-    listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node);
+    transforms_ = SharedTransforms();
     scans_ = std::make_unique<TransformedScans>(
-        node, transforms_, parameters_.frames.odom_frame,
+        node, *transforms_, parameters_.frames.odom_frame,
         [this](const LaserScan& scan, const Pose2D& laser_pose,
                const ros::Time& stamp) { OnScan(scan, laser_pose, stamp); });
     pose_subscriber_ = node.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
@@ -170,8 +169,8 @@ class GridMapperNodelet : public nodelet::Nodelet {
 
   Pose2D OdomFromBase(const ros::Time& stamp) const {
     return ToPose2D(transforms_
-                        .lookupTransform(parameters_.frames.odom_frame,
-                                         parameters_.frames.base_frame, stamp)
+                        ->lookupTransform(parameters_.frames.odom_frame,
+                                          parameters_.frames.base_frame, stamp)
                         .transform);
   }
 
@@ -229,7 +228,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
     pose.pose = message.pose.pose;
     try {
       mapper_->SetPose(
-          PoseInFrame(pose, parameters_.frames.map_frame, transforms_));
+          PoseInFrame(pose, parameters_.frames.map_frame, *transforms_));
       PublishTransform(ros::Time::now());
     } catch (const std::exception& error) {
       NODELET_ERROR("the initial pose cannot be used: %s", error.what());
@@ -324,8 +323,7 @@ class GridMapperNodelet : public nodelet::Nodelet {
   bool is_map_old_ = false;    ///< more is known than was published whole.
   int used_scans_ = 0;
 
-  tf2_ros::Buffer transforms_;
-  std::unique_ptr<tf2_ros::TransformListener> listener_;
+  std::shared_ptr<const tf2_ros::Buffer> transforms_;
   tf2_ros::TransformBroadcaster broadcaster_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
   ros::Publisher map_publisher_;

@@ -2,7 +2,6 @@
 #include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
 #include <ros/spinner.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
@@ -57,7 +56,7 @@ class PathPlannerNodelet : public nodelet::Nodelet {
     failure_publisher_ = node.advertise<MotionFailure>("plan_failure", 10);
     inflated_publisher_ =
         node.advertise<nav_msgs::OccupancyGrid>("inflated_map", 1, true);
-    listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node);
+    transforms_ = SharedTransforms();
     planning_ = std::make_unique<PlanningThread>(parameters_.planner);
     map_subscription_ = std::make_unique<MapSubscription>(
         node, parameters_.frames.map_frame,
@@ -130,8 +129,8 @@ class PathPlannerNodelet : public nodelet::Nodelet {
     try {
       request.start = question.start.header.frame_id.empty()
                           ? RobotPose()
-                          : PoseInFrame(question.start, frame, transforms_);
-      request.goal = PoseInFrame(question.goal, frame, transforms_);
+                          : PoseInFrame(question.start, frame, *transforms_);
+      request.goal = PoseInFrame(question.goal, frame, *transforms_);
     } catch (const MessageError& error) {
       NODELET_ERROR("make_plan: %s", error.what());
       return false;
@@ -153,7 +152,7 @@ class PathPlannerNodelet : public nodelet::Nodelet {
     geometry_msgs::PoseStamped pose;
     pose.header.frame_id = parameters_.frames.base_frame;
     pose.pose.orientation.w = 1.0;
-    return PoseInFrame(pose, parameters_.frames.map_frame, transforms_);
+    return PoseInFrame(pose, parameters_.frames.map_frame, *transforms_);
   }
 
   void OnInflatedTimer() {
@@ -168,8 +167,7 @@ class PathPlannerNodelet : public nodelet::Nodelet {
   PathPlannerNodeletParameters parameters_;
   bool is_map_new_ = false;  ///< since the last inflated map.
 
-  tf2_ros::Buffer transforms_;
-  std::unique_ptr<tf2_ros::TransformListener> listener_;
+  std::shared_ptr<const tf2_ros::Buffer> transforms_;
   ros::Publisher plan_publisher_;
   ros::Publisher failure_publisher_;
   ros::Publisher inflated_publisher_;

@@ -7,6 +7,7 @@
 #include "vfh_astar/ros/geometry_messages.h"
 #include "vfh_astar/ros/message_error.h"
 #include "vfh_astar/ros/scan_messages.h"
+#include "vfh_astar/ros/transforms.h"
 
 namespace vfh_astar {
 namespace {
@@ -33,7 +34,7 @@ void CheckStamp(const ros::Time& stamp) {
 RobotInputs::RobotInputs(ros::NodeHandle node, const FrameNames& frames,
                          int occupied_threshold)
     : frames_(frames),
-      listener_(transforms_, node),
+      transforms_(SharedTransforms()),
       map_(occupied_threshold, kClearanceReach),
       map_subscription_(
           node, frames.map_frame,
@@ -69,12 +70,12 @@ void RobotInputs::Listen(ros::NodeHandle node, OnInput on_scan,
 void RobotInputs::Take(const sensor_msgs::LaserScan& message) {
   try {
     CheckStamp(message.header.stamp);
-    const LaserMount mount =
-        ToLaserMount(transforms_
-                         .lookupTransform(frames_.base_frame,
-                                          WithoutSlash(message.header.frame_id),
-                                          ros::Time(0))
-                         .transform);
+    const LaserMount mount = ToLaserMount(
+        transforms_
+            ->lookupTransform(frames_.base_frame,
+                              WithoutSlash(message.header.frame_id),
+                              ros::Time(0))
+            .transform);
     LaserScan scan = ToLaserScan(message, mount.upside_down);
     if (const auto defect = DescribeDefect(scan)) throw MessageError(*defect);
     scan_ = std::move(scan);
@@ -118,8 +119,8 @@ void RobotInputs::Take(const LocalizationState& message) {
 std::optional<geometry_msgs::TransformStamped> RobotInputs::MapFromOdom()
     const {
   try {
-    return transforms_.lookupTransform(frames_.map_frame, frames_.odom_frame,
-                                       ros::Time(0));
+    return transforms_->lookupTransform(frames_.map_frame, frames_.odom_frame,
+                                        ros::Time(0));
   } catch (const tf2::TransformException&) {
     return std::nullopt;
   }
@@ -171,8 +172,8 @@ std::vector<std::string> RobotInputs::Missing() const {
     missing.push_back("no transform from " + frames_.map_frame + " to " +
                       frames_.odom_frame);
   }
-  if (!transforms_.canTransform(frames_.odom_frame, frames_.base_frame,
-                                ros::Time(0))) {
+  if (!transforms_->canTransform(frames_.odom_frame, frames_.base_frame,
+                                 ros::Time(0))) {
     missing.push_back("no transform from " + frames_.odom_frame + " to " +
                       frames_.base_frame);
   }

@@ -1,11 +1,34 @@
 #include "vfh_astar/ros/transforms.h"
 
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <mutex>
 
 #include "vfh_astar/ros/geometry_messages.h"
 #include "vfh_astar/ros/message_error.h"
 
 namespace vfh_astar {
+namespace {
+
+struct HeardTransforms {
+  tf2_ros::Buffer buffer;
+  tf2_ros::TransformListener listener{buffer};
+};
+
+}  // namespace
+
+std::shared_ptr<const tf2_ros::Buffer> SharedTransforms() {
+  static std::mutex mutex;
+  static std::weak_ptr<HeardTransforms> shared;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<HeardTransforms> heard = shared.lock();
+  if (!heard) {
+    heard = std::make_shared<HeardTransforms>();
+    shared = heard;
+  }
+  return {heard, &heard->buffer};
+}
 
 Pose2D PoseInFrame(const geometry_msgs::PoseStamped& pose,
                    const std::string& frame,

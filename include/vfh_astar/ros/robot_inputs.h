@@ -5,10 +5,10 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 #include <vfh_astar/LocalizationState.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +49,7 @@ class RobotInputs {
   /// What is known at a time; what it points to lives until the next message.
   NavigatorInput At(const ros::Time& time) const;
 
-  const tf2_ros::Buffer& transforms() const { return transforms_; }
+  const tf2_ros::Buffer& transforms() const { return *transforms_; }
 
   /// 0 before the first.
   const ros::Time& scan_stamp() const { return scan_stamp_; }
@@ -80,8 +80,7 @@ class RobotInputs {
   OnInput on_scan_;
   OnInput on_odometry_;
   OnMapped on_mapped_;
-  tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_;
+  std::shared_ptr<const tf2_ros::Buffer> transforms_;
 
   std::optional<LaserScan> scan_;
   ros::Time scan_stamp_;
