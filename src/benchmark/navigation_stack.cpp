@@ -55,7 +55,7 @@ void NavigationStack::TakeIn(const MapChange& change) {
     const std::vector<std::int8_t> values =
         mapper_.grid_mapper().Values(change.window);
     const StageTimer timer(times_, Stage::kInflationUpdate);
-    planner_.UpdateMap(change.window, values);
+    planner_.UpdateMap({{change.window, values}});
     clearance_.Update(change.window, values);
   }
 }

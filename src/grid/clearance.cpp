@@ -26,8 +26,10 @@ cv::Rect Grow(const cv::Rect& rect, int cells) {
           rect.height + 2 * cells};
 }
 
+}  // namespace
+
 /// Tiles of a grid that need recomputing.
-class TileSet {
+class ClearanceMap::TileSet {
  public:
   explicit TileSet(const cv::Rect& bounds)
       : bounds_(bounds),
@@ -88,8 +90,6 @@ class TileSet {
   std::vector<std::uint8_t> marked_;
 };
 
-}  // namespace
-
 ClearanceMap::ClearanceMap(int occupied_threshold, double max_distance)
     : occupied_threshold_(occupied_threshold), max_distance_(max_distance) {
   assert(0 < occupied_threshold && occupied_threshold <= 100);
@@ -107,11 +107,33 @@ void ClearanceMap::SetMap(const OccupancyGrid& map) {
 }
 
 std::vector<cv::Rect> ClearanceMap::Update(
+    const std::vector<MapWindow>& windows) {
+  TileSet dirty(geometry().Bounds());
+  for (const MapWindow& window : windows) {
+    Enter(window.cells, window.values, dirty);
+  }
+  return Recompute(dirty);
+}
+
+std::vector<cv::Rect> ClearanceMap::Update(
     const cv::Rect& window, const std::vector<std::int8_t>& values) {
+  TileSet dirty(geometry().Bounds());
+  Enter(window, values, dirty);
+  return Recompute(dirty);
+}
+
+std::vector<cv::Rect> ClearanceMap::Recompute(const TileSet& dirty) {
+  const std::vector<cv::Rect> changed = dirty.Rectangles();
+  for (const cv::Rect& rect : changed) Recompute(rect);
+  return changed;
+}
+
+void ClearanceMap::Enter(const cv::Rect& window,
+                         const std::vector<std::int8_t>& values,
+                         TileSet& dirty) {
   assert((window & geometry().Bounds()) == window);
   assert(values.size() == static_cast<std::size_t>(window.area()));
   const int reach = Reach();
-  TileSet dirty(geometry().Bounds());
   auto value = values.begin();
   for (int y = window.y; y < window.br().y; ++y) {
     const auto row = map_.cells().begin() + geometry().Index({0, y});
@@ -133,9 +155,6 @@ std::vector<cv::Rect> ClearanceMap::Update(
       dirty.Mark(Grow({first_flip, y, last_flip - first_flip + 1, 1}, reach));
     }
   }
-  const std::vector<cv::Rect> changed = dirty.Rectangles();
-  for (const cv::Rect& rect : changed) Recompute(rect);
-  return changed;
 }
 
 void ClearanceMap::Recompute(const cv::Rect& window) {

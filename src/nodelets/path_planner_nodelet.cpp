@@ -65,7 +65,7 @@ class PathPlannerNodelet : public nodelet::Nodelet {
           is_map_new_ = true;
         },
         [this](const cv::Rect& window, const std::vector<std::int8_t>& values) {
-          planning_->UpdateMap(window, values);
+          planning_->UpdateMap({window, values});
           is_map_new_ = true;
         });
     query_subscriber_ = node.subscribe<MotionQuery>(

@@ -6,8 +6,10 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
+#include <vector>
 
 #include "vfh_astar/grid/clearance.h"
+#include "vfh_astar/grid/map_window.h"
 #include "vfh_astar/ros/frame_names.h"
 #include "vfh_astar/ros/geometry_messages.h"
 #include "vfh_astar/ros/map_subscription.h"
@@ -60,11 +62,13 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
     map_subscription_ = std::make_unique<MapSubscription>(
         node, parameters_.frames.map_frame,
         [this](const OccupancyGrid& map) {
+          windows_.clear();
           clearance_->SetMap(map);
           has_map_ = true;
         },
         [this](const cv::Rect& window, const std::vector<std::int8_t>& values) {
-          clearance_->Update(window, values);
+          windows_.push_back({window, values});
+          if (windows_.size() >= kMostGatheredWindows) TakeInWindows();
         });
     query_subscriber_ = node.subscribe<MotionQuery>(
         "plan_request", 10,
@@ -72,6 +76,11 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
     plan_subscriber_ = node.subscribe<nav_msgs::Path>(
         "plan", 10,
         [this](const nav_msgs::PathConstPtr& plan) { OnPlan(plan); });
+  }
+
+  void TakeInWindows() {
+    if (!windows_.empty()) clearance_->Update(windows_);
+    windows_.clear();
   }
 
   void OnQuery(const MotionQuery& query) {
@@ -99,6 +108,7 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
     try {
       CheckFrame(plan.header.frame_id, parameters_.frames.map_frame);
       const FitRequest request = ToFitRequest(plan, query);
+      TakeInWindows();
       const FitResult result = Fit(request);
       if (result.outcome == Outcome::kSuccess) {
         Publish(result.trajectory, query);
@@ -144,6 +154,7 @@ class TrajectoryFitterNodelet : public nodelet::Nodelet {
   TrajectoryFitterNodeletParameters parameters_;
   std::unique_ptr<TrajectoryFitter> fitter_;
   std::unique_ptr<ClearanceMap> clearance_;
+  std::vector<MapWindow> windows_;  ///< that clearance_ does not have yet.
   bool has_map_ = false;
   std::deque<MotionQuery> queries_;  ///< oldest first.
   nav_msgs::PathConstPtr plan_;      ///< the newest.

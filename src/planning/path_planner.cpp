@@ -101,14 +101,15 @@ void PathPlanner::SetMap(const OccupancyGrid& map) {
   costs_.SetMap(clearance_);
 }
 
-void PathPlanner::UpdateMap(const cv::Rect& window,
-                            const std::vector<std::int8_t>& values) {
-  const bool counts_unknown = costs_.model().unknown != UnknownSpace::kFree;
-  for (const cv::Rect& changed : clearance_.Update(window, values)) {
+void PathPlanner::UpdateMap(const std::vector<MapWindow>& windows) {
+  for (const cv::Rect& changed : clearance_.Update(windows)) {
     costs_.Update(clearance_, changed);
   }
+  if (costs_.model().unknown == UnknownSpace::kFree) return;
   // What has become known changes its cost without any change of clearance.
-  if (counts_unknown) costs_.Update(clearance_, window);
+  for (const MapWindow& window : windows) {
+    costs_.Update(clearance_, window.cells);
+  }
 }
 
 bool PathPlanner::has_map() const { return clearance_.geometry().size() != 0; }

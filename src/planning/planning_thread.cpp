@@ -22,11 +22,13 @@ PlanningThread::~PlanningThread() { Close(); }
 
 template <typename Change>
 void PlanningThread::Leave(Change change) {
+  bool has_work = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     change(desk_);
+    has_work = desk_.HasWork();
   }
-  wake_.notify_one();
+  if (has_work) wake_.notify_one();
 }
 
 void PlanningThread::SetMap(OccupancyGrid map) {
@@ -36,11 +38,8 @@ void PlanningThread::SetMap(OccupancyGrid map) {
   });
 }
 
-void PlanningThread::UpdateMap(const cv::Rect& window,
-                               std::vector<std::int8_t> values) {
-  Leave([&](Desk& desk) {
-    desk.windows.push_back({window, std::move(values)});
-  });
+void PlanningThread::UpdateMap(MapWindow window) {
+  Leave([&window](Desk& desk) { desk.windows.push_back(std::move(window)); });
 }
 
 void PlanningThread::Request(const PlanRequest& request, TakeResult take) {
@@ -84,9 +83,7 @@ void PlanningThread::PlanUntilClosed() {
       return;
     }
     if (work.map) planner_.SetMap(*work.map);
-    for (const MapWindow& window : work.windows) {
-      planner_.UpdateMap(window.cells, window.values);
-    }
+    if (!work.windows.empty()) planner_.UpdateMap(work.windows);
     if (work.order) Plan(*work.order);
     if (!work.questions.empty()) Plan(work.questions.front());
     if (work.take_map) work.take_map(planner_.InflatedMap());

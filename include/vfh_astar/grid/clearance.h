@@ -9,6 +9,7 @@
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/grid/footprint_rows.h"
 #include "vfh_astar/grid/grid.h"
+#include "vfh_astar/grid/map_window.h"
 
 namespace vfh_astar {
 
@@ -30,12 +31,14 @@ class ClearanceMap {
   /// Takes a whole new map.
   void SetMap(const OccupancyGrid& map);
 
-  /// Takes the new values of a window. Equal to SetMap with the changed map,
-  /// cell for cell.
-  /// @param[in] window within the bounds of the map last set.
-  /// @param[in] values percent or kUnknown, row by row, window.area() of them.
+  /// Takes the new values of windows, one after the other. Equal to SetMap with
+  /// the changed map, cell for cell.
+  /// @param[in] windows within the bounds of the map last set.
   /// @return the windows in which clearance was recomputed, without overlap;
   ///   none when no cell became occupied or ceased to be.
+  std::vector<cv::Rect> Update(const std::vector<MapWindow>& windows);
+
+  /// The same with a single one.
   std::vector<cv::Rect> Update(const cv::Rect& window,
                                const std::vector<std::int8_t>& values);
 
@@ -64,6 +67,12 @@ class ClearanceMap {
 
  private:
   bool IsRowFree(const CellRow& row) const;
+  class TileSet;
+  /// Puts a window into the map.
+  /// @param[out] dirty gets the tiles in which clearance changes.
+  void Enter(const cv::Rect& window, const std::vector<std::int8_t>& values,
+             TileSet& dirty);
+  std::vector<cv::Rect> Recompute(const TileSet& dirty);
   void Recompute(const cv::Rect& window);
 
   /// Cells that an obstacle reaches: max_distance, rounded up.

@@ -11,6 +11,7 @@
 #include "vfh_astar/footprint.h"
 #include "vfh_astar/geometry.h"
 #include "vfh_astar/grid/clearance.h"
+#include "vfh_astar/grid/map_window.h"
 #include "vfh_astar/outcome.h"
 #include "vfh_astar/parameters.h"
 #include "vfh_astar/planning/cost_map.h"
@@ -77,8 +78,7 @@ class PathPlanner {
   void SetMap(const OccupancyGrid& map);
 
   /// See ClearanceMap::Update.
-  void UpdateMap(const cv::Rect& window,
-                 const std::vector<std::int8_t>& values);
+  void UpdateMap(const std::vector<MapWindow>& windows);
 
   bool has_map() const;
 

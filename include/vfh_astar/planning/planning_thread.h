@@ -3,17 +3,16 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <future>
 #include <mutex>
-#include <opencv2/core/types.hpp>
 #include <optional>
 #include <thread>
 #include <vector>
 
 #include "vfh_astar/grid/grid.h"
+#include "vfh_astar/grid/map_window.h"
 #include "vfh_astar/planning/path_planner.h"
 
 namespace vfh_astar {
@@ -35,8 +34,9 @@ class PlanningThread {
 
   void SetMap(OccupancyGrid map);
 
-  /// See PathPlanner::UpdateMap.
-  void UpdateMap(const cv::Rect& window, std::vector<std::int8_t> values);
+  /// See PathPlanner::UpdateMap. Some windows are gathered while nobody asks
+  /// for anything.
+  void UpdateMap(MapWindow window);
 
   /// Takes the place of the request before it. Keeps to the path that was found
   /// for the last one, in place of what `request` has as its previous path.
@@ -66,10 +66,6 @@ class PlanningThread {
     PlanRequest request;
     TakeResult take;
   };
-  struct MapWindow {
-    cv::Rect cells;
-    std::vector<std::int8_t> values;
-  };
 
   /// What the callers leave for the planning thread.
   struct Desk {
@@ -81,12 +77,13 @@ class PlanningThread {
     bool is_closing = false;
 
     bool HasWork() const {
-      return is_closing || map || !windows.empty() || order ||
-             !questions.empty() || take_map;
+      return is_closing || map || windows.size() >= kMostGatheredWindows ||
+             order || !questions.empty() || take_map;
     }
   };
 
-  /// Changes what lies on the desk, and wakes the planning thread.
+  /// Changes what lies on the desk, and wakes the planning thread when that is
+  /// work.
   template <typename Change>
   void Leave(Change change);
   void PlanUntilClosed();

@@ -88,14 +88,17 @@ TEST(ClearanceMap, UpdateEqualsSetMapCellForCell) {
     ClearanceMap updated(kThreshold, max_distance);
     updated.SetMap(map);
     for (int round = 0; round < 25; ++round) {
-      cv::Rect window(below(geometry.width), below(geometry.height), 0, 0);
-      window.width = 1 + below(geometry.width - window.x);
-      window.height = 1 + below(geometry.height - window.y);
-      std::vector<std::int8_t> values;
-      for (int y = window.y; y < window.br().y; ++y) {
-        for (int x = window.x; x < window.br().x; ++x) {
-          if (below(200) == 0) map[{x, y}] = below(2) == 0 ? 100 : 0;
-          values.push_back(map[{x, y}]);
+      std::vector<MapWindow> windows(1 + below(3));
+      for (auto& [cells, values] : windows) {
+        cells.x = below(geometry.width);
+        cells.y = below(geometry.height);
+        cells.width = 1 + below(geometry.width - cells.x);
+        cells.height = 1 + below(geometry.height - cells.y);
+        for (int y = cells.y; y < cells.br().y; ++y) {
+          for (int x = cells.x; x < cells.br().x; ++x) {
+            if (below(200) == 0) map[{x, y}] = below(2) == 0 ? 100 : 0;
+            values.push_back(map[{x, y}]);
+          }
         }
       }
       const Grid<float> before = [&] {
@@ -107,7 +110,7 @@ TEST(ClearanceMap, UpdateEqualsSetMapCellForCell) {
         }
         return copy;
       }();
-      const std::vector<cv::Rect> changed = updated.Update(window, values);
+      const std::vector<cv::Rect> changed = updated.Update(windows);
       ClearanceMap whole(kThreshold, max_distance);
       whole.SetMap(map);
       ASSERT_EQ(updated.map().cells(), map.cells());
@@ -118,10 +121,10 @@ TEST(ClearanceMap, UpdateEqualsSetMapCellForCell) {
           const auto holds = [x, y](const cv::Rect& rect) {
             return rect.contains(cv::Point(x, y));
           };
-          const auto windows =
+          const auto times =
               std::count_if(changed.begin(), changed.end(), holds);
-          ASSERT_LE(windows, 1);
-          if (windows == 0) {
+          ASSERT_LE(times, 1);
+          if (times == 0) {
             ASSERT_EQ(updated.At(cell), before[cell]);
           }
         }

@@ -318,7 +318,7 @@ TEST(PathPlanner, EditsBetweenPlansChangeNothingButTheMap) {
           values.push_back(map[{x, y}]);
         }
       }
-      edited.UpdateMap(window, values);
+      edited.UpdateMap({{window, values}});
       PathPlanner fresh = PlannerOn(map, parameters);
       ASSERT_EQ(edited.InflatedMap().cells(), fresh.InflatedMap().cells());
       const PlanRequest request =

@@ -70,16 +70,29 @@ TEST(PlanningThread, PlansOnTheMapAsItIsByThen) {
   planning.SetMap(FreeMap(100));
   // A wall from side to side at x = 5, and open again.
   const cv::Rect wall(50, 0, 1, 100);
-  planning.UpdateMap(wall, std::vector<std::int8_t>(100, 100));
+  planning.UpdateMap({wall, std::vector<std::int8_t>(100, 100)});
   EXPECT_EQ(planning.Plan(Between({1, 1, 0}, {8, 8, 0})).outcome,
             Outcome::kNoPath);
-  planning.UpdateMap(wall, std::vector<std::int8_t>(100, 0));
+  planning.UpdateMap({wall, std::vector<std::int8_t>(100, 0)});
   EXPECT_EQ(planning.Plan(Between({1, 1, 0}, {8, 8, 0})).outcome,
             Outcome::kSuccess);
-  planning.UpdateMap(wall, std::vector<std::int8_t>(100, 100));
+  planning.UpdateMap({wall, std::vector<std::int8_t>(100, 100)});
   planning.SetMap(FreeMap(100));
   EXPECT_EQ(planning.Plan(Between({1, 1, 0}, {8, 8, 0})).outcome,
             Outcome::kSuccess);
+}
+
+TEST(PlanningThread, KnowsWhatItHasGatheredWhenAsked) {
+  PlanningThread planning(PathPlannerParameters{});
+  planning.SetMap(FreeMap(100));
+  // A wall that grows from side to side, cell by cell.
+  for (int y = 0; y < 100; ++y) {
+    planning.UpdateMap({{50, y, 1, 1}, {100}});
+    if (y % 40 != 1 && y != 99) continue;
+    EXPECT_EQ(planning.Plan(Between({1, 1, 0}, {8, 8, 0})).outcome,
+              y == 99 ? Outcome::kNoPath : Outcome::kSuccess)
+        << y;
+  }
 }
 
 TEST(PlanningThread, KeepsToThePathOfTheRequestBefore) {
@@ -95,8 +108,8 @@ TEST(PlanningThread, KeepsToThePathOfTheRequestBefore) {
   const PlanResult upper = first.Wait();
   // Now the lower one is, by less than it would have to be.
   std::vector<std::int8_t> row(40, 100);
-  planning.UpdateMap({30, 69, 40, 1}, row);
-  planning.UpdateMap({30, 70, 40, 1}, row);
+  planning.UpdateMap({{30, 69, 40, 1}, row});
+  planning.UpdateMap({{30, 70, 40, 1}, row});
   Answer second;
   planning.Request(Between({1, 5, 0}, {9, 5, 0}), second.Taker());
   const PlanResult kept = second.Wait();
