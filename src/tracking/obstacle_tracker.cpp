@@ -121,9 +121,15 @@ void ObstacleTracker::Follow(const std::vector<ScanCluster>& clusters) {
     if (is_taken[c]) continue;
     tracks_.emplace_back(next_id_++, last_.scan().stamp,
                          Measure(clusters[c], nullptr));
-    tracks_.back().old_points = clusters[c].points;
-    tracks_.back().old_points_time = last_.scan().stamp;
+    RememberPoints(clusters[c], tracks_.back());
   }
+}
+
+void ObstacleTracker::RememberPoints(const ScanCluster& cluster,
+                                     ObstacleTrack& track) const {
+  track.old_points = cluster.points;
+  track.old_points_time = last_.scan().stamp;
+  track.old_heading = last_.pose().theta;
 }
 
 void ObstacleTracker::Judge(ObstacleTrack& track, const ScanCluster& cluster) {
@@ -139,18 +145,17 @@ void ObstacleTracker::Judge(ObstacleTrack& track, const ScanCluster& cluster) {
   if (track.is_moving() || track.speed() > 0.5 * parameters_.min_speed) {
     const double entered =
         share(cluster.points, [this](const Eigen::Vector2d& point) {
-          return memory_.WasFree(point, kMargin);
+          return memory_.WasFree(point, kMargin, last_.pose().theta);
         });
     const double left =
-        share(track.old_points, [this](const Eigen::Vector2d& point) {
-          return last_.SawThrough(point, kMargin);
+        share(track.old_points, [&](const Eigen::Vector2d& point) {
+          return last_.SawThrough(point, kMargin, track.old_heading);
         });
     evidence = std::max(entered, left);
   }
   track.Judge(evidence, parameters_.min_speed);
   if (last_.scan().stamp - track.old_points_time > 0.5 * parameters_.memory) {
-    track.old_points = cluster.points;
-    track.old_points_time = last_.scan().stamp;
+    RememberPoints(cluster, track);
   }
   if (!track.is_moving()) return;
   moving_beams_.insert(moving_beams_.end(), cluster.beams.begin(),
@@ -164,7 +169,8 @@ void ObstacleTracker::DropLost() {
     if (unseen == 0.0) return false;
     if (!track.is_moving()) return unseen > kLostTime;
     // Where the laser sees through its place it is not there.
-    const bool is_gone = last_.SawThrough(track.obstacle().position, kMargin);
+    const bool is_gone = last_.SawThrough(track.obstacle().position, kMargin,
+                                          last_.pose().theta);
     return unseen > (is_gone ? kLostTime : parameters_.coast_time);
   };
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), is_lost),

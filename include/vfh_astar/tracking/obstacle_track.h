@@ -44,6 +44,7 @@ class ObstacleTrack {
   /// Hits of a while ago, to see whether the thing has left them.
   std::vector<Eigen::Vector2d> old_points;
   double old_points_time = 0.0;
+  double old_heading = 0.0;  ///< rad, of the laser then.
 
  private:
   int id_;

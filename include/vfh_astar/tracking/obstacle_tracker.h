@@ -56,6 +56,7 @@ class ObstacleTracker {
   TrackMeasurement Measure(const ScanCluster& cluster,
                            const ObstacleTrack* track) const;
   void Follow(const std::vector<ScanCluster>& clusters);
+  void RememberPoints(const ScanCluster& cluster, ObstacleTrack& track) const;
   void Judge(ObstacleTrack& track, const ScanCluster& cluster);
   void DropLost();
 

@@ -24,7 +24,11 @@ class PlacedScan {
   /// True when the beams around the point's direction all reached beyond it by
   /// more than `margin` (m): the place was free. What the scan could not see,
   /// behind something or beside its field of view, is not.
-  bool SawThrough(const Eigen::Vector2d& point, double margin) const;
+  /// @param[in] heading rad, of the laser when it saw the point. The farther it
+  ///   has turned between, the more the two may be off to one another, and
+  ///   along a wall seen aslant a beam a little beside reaches much farther.
+  bool SawThrough(const Eigen::Vector2d& point, double margin,
+                  double heading) const;
 
  private:
   LaserScan scan_;
@@ -45,7 +49,8 @@ class ScanMemory {
 
   /// True when the scan taken half the memory's length ago, or the oldest, saw
   /// through the place. See PlacedScan::SawThrough.
-  bool WasFree(const Eigen::Vector2d& point, double margin) const;
+  bool WasFree(const Eigen::Vector2d& point, double margin,
+               double heading) const;
 
  private:
   double length_;

@@ -48,7 +48,10 @@ double Reach(const Eigen::Vector2d& start, const Eigen::Vector2d& direction,
 /// A laser of 720 beams over 270 degrees at 50 Hz among discs and walls.
 class TrackerTest : public testing::Test {
  protected:
-  void Scan(const Pose2D& pose) {
+  void Scan(const Pose2D& pose) { Scan(pose, pose); }
+
+  /// @param[in] believed where odometry has the robot.
+  void Scan(const Pose2D& pose, const Pose2D& believed) {
     LaserScan scan;
     scan.stamp = time_;
     scan.angle_min = -2.35619;
@@ -68,7 +71,7 @@ class TrackerTest : public testing::Test {
       }
       scan.ranges.push_back(static_cast<float>(range + noise(random_)));
     }
-    tracker_.AddScan(scan, pose);
+    tracker_.AddScan(scan, believed);
     time_ += 0.02;
   }
 
@@ -139,18 +142,27 @@ TEST_F(TrackerTest, NothingMovesAmongPillarsAndWallsPassedByDriving) {
   }
 }
 
-TEST_F(TrackerTest, NothingMovesBesideARobotThatTurnsOnTheSpotInAHairpin) {
+/// The part by which odometry takes turns for larger than they are.
+class TurningTest : public TrackerTest,
+                    public testing::WithParamInterface<double> {};
+
+TEST_P(TurningTest, NothingMovesBesideARobotThatTurnsOnTheSpotInAHairpin) {
   walls_ = {{{-5.0, 1.0}, {4.0, 1.0}},   {{-5.0, -1.0}, {3.0, -1.0}},
             {{3.0, -1.0}, {3.0, -2.5}},  {{4.0, 1.0}, {6.0, -1.0}},
             {{6.0, -1.0}, {6.0, -5.0}},  {{3.0, -2.5}, {-5.0, -2.5}},
             {{6.0, -5.0}, {-5.0, -5.0}}, {{-5.0, 1.0}, {-5.0, -1.0}}};
   Pose2D pose(2.0, 0.0, 0.0);
+  Pose2D believed = pose;
   for (int step = 0; step < 300; ++step) {
-    Scan(pose);
+    Scan(pose, believed);
     pose = Integrate(pose, {0.0, 2.5}, 0.02);
+    believed = Integrate(believed, {0.0, (1.0 + GetParam()) * 2.5}, 0.02);
     ASSERT_TRUE(tracker_.Moving().empty()) << "step " << step;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(GyroErrors, TurningTest,
+                         testing::Values(0.0, 0.03, -0.03));
 
 TEST_F(TrackerTest, KeepsWhatGoesOutOfSightForAWhile) {
   discs_ = {{{4.0, -1.5}, 0.5}};

@@ -20,22 +20,33 @@ TEST(PlacedScanTest, SeesThroughWhatAllBeamsAroundPass) {
   LaserScan scan = Scan(0.0, 3.0F);
   const Pose2D pose(1.0, 0.0, 0.0);
   const PlacedScan placed(scan, pose);
-  EXPECT_TRUE(placed.SawThrough({3.8, 0.0}, 0.1));    // 2.8 m away
-  EXPECT_FALSE(placed.SawThrough({3.95, 0.0}, 0.1));  // less than 0.1 m before
-  EXPECT_FALSE(placed.SawThrough({5.0, 0.0}, 0.1));   // hidden
-  EXPECT_FALSE(placed.SawThrough({-1.0, 0.0}, 0.1));  // out of its view
-  scan.ranges[11] = 1.0F;                             // the beam beside
-  EXPECT_FALSE(PlacedScan(scan, pose).SawThrough({3.8, 0.0}, 0.1));
+  EXPECT_TRUE(placed.SawThrough({3.8, 0.0}, 0.1, 0.0));  // 2.8 m away
+  EXPECT_FALSE(
+      placed.SawThrough({3.95, 0.0}, 0.1, 0.0));  // less than 0.1 m before
+  EXPECT_FALSE(placed.SawThrough({5.0, 0.0}, 0.1, 0.0));   // hidden
+  EXPECT_FALSE(placed.SawThrough({-1.0, 0.0}, 0.1, 0.0));  // out of its view
+  scan.ranges[11] = 1.0F;                                  // the beam beside
+  EXPECT_FALSE(PlacedScan(scan, pose).SawThrough({3.8, 0.0}, 0.1, 0.0));
+}
+
+TEST(PlacedScanTest, AsksMoreBeamsTheFartherTheLaserHasTurned) {
+  LaserScan scan = Scan(0.0, 3.0F);
+  scan.ranges[13] = 1.0F;
+  const PlacedScan placed(scan, {});
+  EXPECT_TRUE(placed.SawThrough({2.8, 0.0}, 0.1, 0.0));
+  // 0.03 of the turn is half the angle between two beams and more.
+  EXPECT_FALSE(placed.SawThrough({2.8, 0.0}, 0.1, 2.0));
+  EXPECT_FALSE(placed.SawThrough({2.8, 0.0}, 0.1, -2.0));
 }
 
 TEST(ScanMemoryTest, RemembersForItsLength) {
   ScanMemory memory(0.8);
   for (int i = 0; i < 20; ++i) memory.Add(Scan(0.05 * i, 5.0F), {});
-  EXPECT_TRUE(memory.WasFree({4.0, 0.0}, 0.1));
+  EXPECT_TRUE(memory.WasFree({4.0, 0.0}, 0.1, 0.0));
   for (int i = 20; i < 60; ++i) memory.Add(Scan(0.05 * i, 3.0F), {});
-  EXPECT_FALSE(memory.WasFree({4.0, 0.0}, 0.1));
+  EXPECT_FALSE(memory.WasFree({4.0, 0.0}, 0.1, 0.0));
   memory.Clear();
-  EXPECT_FALSE(memory.WasFree({2.0, 0.0}, 0.1));
+  EXPECT_FALSE(memory.WasFree({2.0, 0.0}, 0.1, 0.0));
 }
 
 }  // namespace
