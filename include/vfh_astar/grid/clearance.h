@@ -66,12 +66,14 @@ class ClearanceMap {
               double margin) const;
 
  private:
-  bool IsRowFree(const CellRow& row) const;
   class TileSet;
+
+  bool IsRowFree(const CellRow& row) const;
   /// Puts a window into the map.
-  /// @param[out] dirty gets the tiles in which clearance changes.
+  /// @param[in,out] dirty gets the tiles in which clearance changes.
   void Enter(const cv::Rect& window, const std::vector<std::int8_t>& values,
              TileSet& dirty);
+  /// @return the windows of the tiles.
   std::vector<cv::Rect> Recompute(const TileSet& dirty);
   void Recompute(const cv::Rect& window);
 

@@ -11,7 +11,8 @@ namespace vfh_astar {
 /// New values of a part of a map.
 struct MapWindow {
   cv::Rect cells;
-  std::vector<std::int8_t> values;  ///< percent or kUnknown, row by row.
+  /// Percent or kUnknown, row by row, cells.area() of them.
+  std::vector<std::int8_t> values;
 };
 
 /// So many windows may wait for who looks at the map now and then: scans that

@@ -164,6 +164,17 @@ TEST_P(TurningTest, NothingMovesBesideARobotThatTurnsOnTheSpotInAHairpin) {
 INSTANTIATE_TEST_SUITE_P(GyroErrors, TurningTest,
                          testing::Values(0.0, 0.03, -0.03));
 
+TEST_F(TrackerTest, SoonSeesWhatMovesPastARobotThatTurns) {
+  discs_ = {{{4.0, 1.0}, 0.25}};
+  Pose2D pose(0.0, 0.0, -1.0);
+  for (int step = 0; step < 20; ++step) {
+    Scan(pose);
+    pose = Integrate(pose, {0.0, 2.5}, 0.02);
+    discs_[0].centre += 0.02 * Eigen::Vector2d(-1.2, -0.6);
+  }
+  EXPECT_EQ(tracker_.Moving().size(), 1u);
+}
+
 TEST_F(TrackerTest, KeepsWhatGoesOutOfSightForAWhile) {
   discs_ = {{{4.0, -1.5}, 0.5}};
   for (int step = 0; step < 50; ++step) {

@@ -20,9 +20,8 @@ TEST(PlacedScanTest, SeesThroughWhatAllBeamsAroundPass) {
   LaserScan scan = Scan(0.0, 3.0F);
   const Pose2D pose(1.0, 0.0, 0.0);
   const PlacedScan placed(scan, pose);
-  EXPECT_TRUE(placed.SawThrough({3.8, 0.0}, 0.1, 0.0));  // 2.8 m away
-  EXPECT_FALSE(
-      placed.SawThrough({3.95, 0.0}, 0.1, 0.0));  // less than 0.1 m before
+  EXPECT_TRUE(placed.SawThrough({3.8, 0.0}, 0.1, 0.0));    // 2.8 m away
+  EXPECT_FALSE(placed.SawThrough({3.95, 0.0}, 0.1, 0.0));  // 0.05 m before
   EXPECT_FALSE(placed.SawThrough({5.0, 0.0}, 0.1, 0.0));   // hidden
   EXPECT_FALSE(placed.SawThrough({-1.0, 0.0}, 0.1, 0.0));  // out of its view
   scan.ranges[11] = 1.0F;                                  // the beam beside
